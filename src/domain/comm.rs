@@ -1,0 +1,343 @@
+//! The only file that names MPI. Ranks talk through a handful of verbs; everything irregular goes through one sparse
+//! exchange. Minima, maxima and integer sums are the only reductions: no order of arrival can change them.
+
+use std::cell::{Cell, RefCell};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+use bytemuck::Pod;
+use mpi::ffi;
+use mpi::raw::AsRaw;
+use mpi::traits::*;
+
+/// Messages longer than this many bytes go in pieces, as MPI counts are 32-bit.
+const PIECE: usize = 1 << 30;
+
+/// All ranks of the job. The first one made initialises MPI, and the last one dropped ends it.
+pub struct Comm {
+    universe: Option<mpi::environment::Universe>,
+    raw: ffi::MPI_Comm,
+    rank: usize,
+    size: usize,
+    round: Cell<i32>,
+    waited: Cell<f64>,
+    sent: Cell<u64>,
+    pieces: RefCell<Vec<ffi::MPI_Request>>,
+}
+
+static ABORT_ON_PANIC: AtomicBool = AtomicBool::new(false);
+
+impl Comm {
+    /// Initialises MPI and makes a panic on any thread of any rank end the whole job.
+    pub fn start() -> Self {
+        let (universe, _level) = mpi::initialize_with_threading(mpi::Threading::Funneled).expect("MPI is initialised once");
+        let world = universe.world();
+        let (rank, size) = (world.rank() as usize, world.size() as usize);
+        let raw = world.as_raw();
+        if size > 1 && !ABORT_ON_PANIC.swap(true, Ordering::SeqCst) {
+            let default = std::panic::take_hook();
+            std::panic::set_hook(Box::new(move |info| {
+                default(info);
+                eprintln!("rank {rank} panicked: the job ends");
+                // SAFETY: MPI is initialised; MPI_Abort may be called from any state and does not return.
+                unsafe { ffi::MPI_Abort(ffi::RSMPI_COMM_WORLD, 101) };
+            }));
+        }
+        Self {
+            universe: Some(universe),
+            raw,
+            rank,
+            size,
+            round: Cell::new(0),
+            waited: Cell::new(0.0),
+            sent: Cell::new(0),
+            pieces: RefCell::new(Vec::new()),
+        }
+    }
+
+    pub fn rank(&self) -> usize {
+        self.rank
+    }
+
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    pub fn is_root(&self) -> bool {
+        self.rank == 0
+    }
+
+    /// The communicator as a library written in C wants it.
+    pub fn raw(&self) -> ffi::MPI_Comm {
+        self.raw
+    }
+
+    /// Ends the job on all ranks at once.
+    pub fn abort(&self, code: i32) -> ! {
+        // SAFETY: ends the process.
+        unsafe { ffi::MPI_Abort(self.raw, code) };
+        std::process::exit(code)
+    }
+
+    /// Seconds this rank has spent waiting for others so far.
+    pub fn wait_seconds(&self) -> f64 {
+        self.waited.get()
+    }
+
+    /// Bytes this rank has sent point to point so far.
+    pub fn bytes_sent(&self) -> u64 {
+        self.sent.get()
+    }
+
+    fn waiting<T>(&self, f: impl FnOnce() -> T) -> T {
+        let start = Instant::now();
+        let out = f();
+        self.waited.set(self.waited.get() + start.elapsed().as_secs_f64());
+        out
+    }
+
+    pub fn barrier(&self) {
+        // SAFETY: the communicator is valid for the life of `self`.
+        self.waiting(|| unsafe { ffi::MPI_Barrier(self.raw) });
+    }
+
+    /// Element-wise minimum over ranks, in place. NaN does not survive: replace it by what it should mean first.
+    pub fn all_min(&self, values: &mut [f64]) {
+        self.all_reduce(values, unsafe { ffi::RSMPI_DOUBLE }, unsafe { ffi::RSMPI_MIN });
+    }
+
+    /// Element-wise maximum over ranks, in place.
+    pub fn all_max(&self, values: &mut [f64]) {
+        self.all_reduce(values, unsafe { ffi::RSMPI_DOUBLE }, unsafe { ffi::RSMPI_MAX });
+    }
+
+    /// Element-wise sum over ranks, in place: exact, so independent of order.
+    pub fn all_sum(&self, values: &mut [i64]) {
+        self.all_reduce(values, unsafe { ffi::RSMPI_INT64_T }, unsafe { ffi::RSMPI_SUM });
+    }
+
+    fn all_reduce<T: Pod>(&self, values: &mut [T], kind: ffi::MPI_Datatype, op: ffi::MPI_Op) {
+        if self.size == 1 || values.is_empty() {
+            return;
+        }
+        let mut out = values.to_vec();
+        // SAFETY: both buffers hold `values.len()` elements of the type named.
+        self.waiting(|| unsafe {
+            ffi::MPI_Allreduce(values.as_ptr().cast(), out.as_mut_ptr().cast(), values.len() as i32, kind, op, self.raw)
+        });
+        values.copy_from_slice(&out);
+    }
+
+    /// The values of all ranks, in rank order; every rank gives equally many.
+    pub fn all_gather<T: Pod>(&self, mine: &[T]) -> Vec<T> {
+        let mut all = vec![T::zeroed(); mine.len() * self.size];
+        let bytes = std::mem::size_of_val(mine) as i32;
+        // SAFETY: `all` has room for `size` contributions of `bytes` bytes.
+        self.waiting(|| unsafe {
+            let byte = ffi::RSMPI_UINT8_T;
+            ffi::MPI_Allgather(mine.as_ptr().cast(), bytes, byte, all.as_mut_ptr().cast(), bytes, byte, self.raw)
+        });
+        all
+    }
+
+    /// Rank 0's bytes, on every rank.
+    pub fn broadcast(&self, bytes: &mut Vec<u8>) {
+        let mut length = [bytes.len() as f64];
+        if !self.is_root() {
+            length[0] = 0.0;
+        }
+        self.all_max(&mut length);
+        bytes.resize(length[0] as usize, 0);
+        for piece in bytes.chunks_mut(PIECE) {
+            // SAFETY: the piece holds as many bytes as are named.
+            self.waiting(|| unsafe {
+                ffi::MPI_Bcast(piece.as_mut_ptr().cast(), piece.len() as i32, ffi::RSMPI_UINT8_T, 0, self.raw)
+            });
+        }
+    }
+
+    /// Sends each message to its rank and returns what came for this one as (source, words), in rank order. No rank needs
+    /// to know who will send to it, and the cost follows the messages, not the number of ranks squared (Hoefler, Siebert
+    /// and Lumsdaine 2010: synchronous sends closed by a non-blocking barrier). Messages to oneself are allowed.
+    pub fn sparse_exchange(&self, messages: Vec<(usize, Vec<u64>)>) -> Vec<(usize, Vec<u64>)> {
+        let mut received: Vec<(usize, Vec<u64>)> = Vec::new();
+        let mut outgoing = Vec::new();
+        for (to, words) in messages {
+            if to == self.rank {
+                received.push((to, words));
+            } else {
+                outgoing.push((to, words));
+            }
+        }
+        if self.size > 1 {
+            // Two rounds in flight cannot be mixed up: a rank enters the next only after the barrier of this one.
+            self.round.set((self.round.get() + 1) % 2);
+            let tag = 100 + self.round.get();
+            self.waiting(|| self.exchange_round(&outgoing, tag, &mut received));
+        }
+        received.sort_by_key(|(from, _)| *from);
+        received
+    }
+
+    fn exchange_round(&self, outgoing: &[(usize, Vec<u64>)], tag: i32, received: &mut Vec<(usize, Vec<u64>)>) {
+        let mut requests = self.pieces.borrow_mut();
+        requests.clear();
+        // SAFETY: the buffers outlive the requests, which are completed below; headers announce length first.
+        unsafe {
+            let headers: Vec<u64> = outgoing.iter().map(|(_, words)| words.len() as u64).collect();
+            for ((to, words), header) in outgoing.iter().zip(&headers) {
+                let mut request = std::mem::zeroed();
+                ffi::MPI_Issend((header as *const u64).cast(), 8, ffi::RSMPI_UINT8_T, *to as i32, tag, self.raw, &mut request);
+                requests.push(request);
+                for piece in bytemuck::cast_slice::<u64, u8>(words).chunks(PIECE) {
+                    ffi::MPI_Isend(
+                        piece.as_ptr().cast(),
+                        piece.len() as i32,
+                        ffi::RSMPI_UINT8_T,
+                        *to as i32,
+                        tag + 2,
+                        self.raw,
+                        &mut request,
+                    );
+                    requests.push(request);
+                    self.sent.set(self.sent.get() + piece.len() as u64);
+                }
+            }
+            let mut barrier: ffi::MPI_Request = std::mem::zeroed();
+            let mut in_barrier = false;
+            loop {
+                let (mut flag, mut status) = (0, std::mem::zeroed::<ffi::MPI_Status>());
+                ffi::MPI_Iprobe(ffi::RSMPI_ANY_SOURCE, tag, self.raw, &mut flag, &mut status);
+                if flag != 0 {
+                    let from = status.MPI_SOURCE;
+                    let mut header = 0u64;
+                    let byte = ffi::RSMPI_UINT8_T;
+                    ffi::MPI_Recv((&raw mut header).cast(), 8, byte, from, tag, self.raw, &mut status);
+                    let mut words = vec![0u64; header as usize];
+                    for piece in bytemuck::cast_slice_mut::<u64, u8>(&mut words).chunks_mut(PIECE) {
+                        ffi::MPI_Recv(piece.as_mut_ptr().cast(), piece.len() as i32, byte, from, tag + 2, self.raw, &mut status);
+                    }
+                    received.push((from as usize, words));
+                } else if in_barrier {
+                    ffi::MPI_Test(&mut barrier, &mut flag, &mut status);
+                    if flag != 0 {
+                        return;
+                    }
+                } else {
+                    let count = requests.len() as i32;
+                    ffi::MPI_Testall(count, requests.as_mut_ptr(), &mut flag, ffi::RSMPI_STATUSES_IGNORE);
+                    if flag != 0 {
+                        ffi::MPI_Ibarrier(self.raw, &mut barrier);
+                        in_barrier = true;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Releases MPI; called last, after every file is closed.
+    pub fn finish(mut self) {
+        self.universe.take();
+    }
+}
+
+/// A fixed pattern of messages, sent again and again: persistent requests over two buffers that it owns.
+pub struct Exchange {
+    outgoing: Vec<f64>,
+    incoming: Vec<f64>,
+    requests: Vec<ffi::MPI_Request>,
+    running: bool,
+}
+
+impl Exchange {
+    /// `sends` and `receives`: (rank, numbers), in the order in which they lie in the buffers. Both sides must agree on the
+    /// numbers; a message between two ranks may be empty and is then not sent.
+    pub fn new(comm: &Comm, sends: &[(usize, usize)], receives: &[(usize, usize)]) -> Self {
+        let total = |list: &[(usize, usize)]| list.iter().map(|(_, n)| n).sum::<usize>();
+        let (mut outgoing, mut incoming) = (vec![0.0; total(sends)], vec![0.0; total(receives)]);
+        let mut requests = Vec::new();
+        let piece = PIECE / 8;
+        // SAFETY: the buffers are never resized while the requests live, and both live in `Self`.
+        unsafe {
+            let double = ffi::RSMPI_DOUBLE;
+            let mut rest = incoming.as_mut_slice();
+            for &(from, n) in receives {
+                let (mine, after) = rest.split_at_mut(n);
+                rest = after;
+                for part in mine.chunks_mut(piece) {
+                    let mut request = std::mem::zeroed();
+                    ffi::MPI_Recv_init(part.as_mut_ptr().cast(), part.len() as i32, double, from as i32, 90, comm.raw, &mut request);
+                    requests.push(request);
+                }
+            }
+            let mut rest = outgoing.as_mut_slice();
+            for &(to, n) in sends {
+                let (mine, after) = rest.split_at_mut(n);
+                rest = after;
+                for part in mine.chunks_mut(piece) {
+                    let mut request = std::mem::zeroed();
+                    ffi::MPI_Send_init(part.as_ptr().cast(), part.len() as i32, double, to as i32, 90, comm.raw, &mut request);
+                    requests.push(request);
+                }
+            }
+        }
+        Self { outgoing, incoming, requests, running: false }
+    }
+
+    /// Where messages are written before [`Exchange::start`].
+    pub fn outgoing(&mut self) -> &mut [f64] {
+        assert!(!self.running, "messages are on their way");
+        &mut self.outgoing
+    }
+
+    /// What came, once [`Exchange::wait`] has returned.
+    pub fn incoming(&self) -> &[f64] {
+        assert!(!self.running, "messages are on their way");
+        &self.incoming
+    }
+
+    pub fn start(&mut self, comm: &Comm) {
+        self.running = true;
+        comm.sent.set(comm.sent.get() + 8 * self.outgoing.len() as u64);
+        if !self.requests.is_empty() {
+            // SAFETY: the requests are inactive, as `running` was false.
+            unsafe { ffi::MPI_Startall(self.requests.len() as i32, self.requests.as_mut_ptr()) };
+        }
+    }
+
+    /// Lets MPI move messages: large ones only move while it is called.
+    pub fn poll(&mut self) {
+        if self.running && !self.requests.is_empty() {
+            let mut flag = 0;
+            // SAFETY: persistent requests stay valid when complete.
+            unsafe {
+                ffi::MPI_Testall(self.requests.len() as i32, self.requests.as_mut_ptr(), &mut flag, ffi::RSMPI_STATUSES_IGNORE)
+            };
+            self.running = flag == 0;
+        }
+    }
+
+    pub fn wait(&mut self, comm: &Comm) {
+        if self.running && !self.requests.is_empty() {
+            // SAFETY: as above.
+            comm.waiting(|| unsafe {
+                ffi::MPI_Waitall(self.requests.len() as i32, self.requests.as_mut_ptr(), ffi::RSMPI_STATUSES_IGNORE)
+            });
+        }
+        self.running = false;
+    }
+
+    /// Bytes of both buffers.
+    pub fn bytes(&self) -> usize {
+        8 * (self.outgoing.len() + self.incoming.len())
+    }
+}
+
+impl Drop for Exchange {
+    fn drop(&mut self) {
+        for request in &mut self.requests {
+            // SAFETY: each request is freed once; an active one is freed by MPI when it completes.
+            unsafe { ffi::MPI_Request_free(request) };
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! Material effects: local physics of one particle, one file each. An effect opens with its equations and their source,
+//! holds the table by which a scene asks for it, declares the columns it owns, and acts on chunks.
+//!
+//! Sign conventions, stated once: stress is positive in tension, pressure positive in compression, sigma = S - P 1;
+//! L[(a, b)] = d v_a / d x_b.
+
+use crate::math::Mat3;
+use crate::particles::{Chunk, Column, Columns, Element, Integrated, ParticleId, Registry, View};
+use crate::math::Vec3;
+
+/// Columns that every scene has.
+#[derive(Debug, Clone, Copy)]
+pub struct Core {
+    pub id: Column<ParticleId>,
+    pub position: Column<Vec3>,
+    pub velocity: Column<Vec3>,
+    pub acceleration: Column<Vec3>,
+    /// Position at the last list build; lists and ghosts stand on it until the next.
+    pub build_position: Column<Vec3>,
+    pub density: Integrated<f64>,
+    /// Set by the equation of state, read when pair records are packed.
+    pub pressure: Column<f64>,
+    /// Longitudinal: the equation of state sets the bulk value, strength stiffens it.
+    pub sound_speed: Column<f64>,
+}
+
+/// What is the same for all particles of a body.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct BodyConstants {
+    /// Mass of one particle, kg (per metre of depth in 2D).
+    pub particle_mass: f64,
+    /// Smoothing length at the start, m; the kernel's support is 2h.
+    pub smoothing_length: f64,
+    /// Particles of the body.
+    pub particles: u64,
+    /// Density at the start, kg/m^3.
+    pub density: f64,
+}
+
+/// What the pair loop found out about one particle.
+#[derive(Debug, Clone, Copy)]
+pub struct Motion {
+    /// Velocity gradient, corrected where the scene asks for it, 1/s.
+    pub velocity_gradient: Mat3,
+    /// du/dt by stress and viscosity, the counterpart of the momentum sums, J/(kg s).
+    pub heating: f64,
+}
+
+/// A chunk as effects see it.
+pub struct Local<'a> {
+    pub chunk: &'a Chunk<'a>,
+    /// Body of each particle.
+    pub bodies: &'a [u16],
+    pub constants: &'a [BodyConstants],
+    /// Motion of each particle; empty outside `rates`.
+    pub motion: &'a [Motion],
+    /// New rates of the integrated columns, one block of cells per slot; only within `rates`.
+    pub new_rates: &'a [Vec<std::cell::Cell<u64>>],
+    /// The step that was just taken, s; only within `update`.
+    pub dt: f64,
+}
+
+impl Local<'_> {
+    pub fn len(&self) -> usize {
+        self.bodies.len()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.bodies.is_empty()
+    }
+
+    #[inline]
+    pub fn view<T: Element>(&self, column: Column<T>) -> View<'_, T> {
+        self.chunk.view(column)
+    }
+
+    /// Where an effect writes the new rate of a column it owns; starts as zero.
+    #[inline]
+    pub fn new_rate<T: Element>(&self, column: Integrated<T>) -> View<'_, T> {
+        let width = self.new_rates[column.slot].len() / crate::particles::chunk::CHUNK;
+        View::new(&self.new_rates[column.slot], width)
+    }
+}
+
+/// The largest step an effect allows, and for which particle of the chunk.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepLimit {
+    pub dt: f64,
+    /// Index within the chunk.
+    pub particle: usize,
+}
+
+/// A diagnostic: a sum over particles, written to history.csv and summary.json.
+#[derive(Debug, Clone, Copy)]
+pub struct Diagnostic {
+    pub name: &'static str,
+    pub unit: &'static str,
+}
+
+/// Local physics. Methods are called once per chunk; each loops over the particles its bodies have it for.
+pub trait MaterialEffect: Send + Sync {
+    fn name(&self) -> &'static str;
+
+    /// Rates of the integrated columns at the state that the pair loop saw.
+    fn rates(&self, _local: &Local) {}
+
+    /// Brings an advanced state back to what the material can bear (yield surface, energy floor): after prediction and
+    /// after correction alike. Must be idempotent.
+    fn admit(&self, _local: &Local) {}
+
+    /// Brings everything else up to date after prediction: pressure, sound speed, and irreversible state, which grows
+    /// here by `local.dt` and nowhere else, so that no corrector can take it back.
+    fn update(&self, _local: &Local) {}
+
+    /// The largest time step, evaluated after `rates` with `local.motion` and new rates at hand.
+    fn step_limit(&self, _local: &Local) -> Option<StepLimit> {
+        None
+    }
+
+    /// Sums this effect reports, and particle `i`'s share of each.
+    fn diagnostics(&self) -> Vec<Diagnostic> {
+        Vec::new()
+    }
+    fn diagnose(&self, _columns: &Columns, _i: usize, _body: usize, _mass: f64, _add: &mut dyn FnMut(usize, f64)) {}
+}
+
+/// Declares the columns of every scene.
+pub fn declare_core(registry: &mut Registry) -> Core {
+    use crate::particles::{ColumnInfo, Life};
+    let state = |name, unit, about, snapshot| ColumnInfo { name, unit, about, life: Life::State, snapshot };
+    let scratch = |name, unit, about, snapshot| ColumnInfo { name, unit, about, life: Life::Scratch, snapshot };
+    registry.owner("core");
+    Core {
+        id: registry.column(state("id", "", "Global number: body in the upper 16 bits, lattice site in the lower 48.", true)),
+        position: registry.column(state("position", "m", "Position.", true)),
+        velocity: registry.column(state("velocity", "m/s", "Velocity.", true)),
+        acceleration: registry.column(state("acceleration", "m/s^2", "Acceleration at the last evaluation.", false)),
+        build_position: registry.column(state("build_position", "m", "Position at the last list build.", false)),
+        density: registry.integrated(state("density", "kg/m^3", "Bulk density.", true)),
+        pressure: registry.column(scratch("pressure", "Pa", "Pressure at the last force evaluation, before damage.", true)),
+        sound_speed: registry.column(scratch("sound_speed", "m/s", "Longitudinal speed of sound.", false)),
+    }
+}

@@ -1,0 +1,2 @@
+//! exact sums
+pub struct ExactSum;

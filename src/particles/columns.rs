@@ -1,0 +1,330 @@
+//! Columns: one quantity of all particles of a rank. Effects ask the registry for the columns they own when a scene is set
+//! up and keep typed handles; allocation, migration, checkpoint, snapshot and the manual's table follow from the registry
+//! alone. Every column is an array of 64-bit words, so that all of these move words and know no physics.
+
+use std::marker::PhantomData;
+
+use super::id::ParticleId;
+use crate::math::{Deviator, Vec3};
+
+/// What a column holds per particle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shape {
+    Scalar,
+    /// One number per dimension.
+    Vector,
+    /// Traceless symmetric tensor: xx, yy, xy in 2D (plane strain), xx, yy, xy, xz, yz in 3D.
+    Deviator,
+    Id,
+}
+
+impl Shape {
+    /// Words of 64 bits per particle.
+    pub fn words(self, dimension: usize) -> usize {
+        match self {
+            Shape::Scalar | Shape::Id => 1,
+            Shape::Vector => dimension,
+            Shape::Deviator => 2 * dimension - 1,
+        }
+    }
+}
+
+/// How long a column's content matters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Life {
+    /// Part of the state: kept in checkpoints, counted in the state hash.
+    State,
+    /// Follows from the state; moves with the particle, is not kept.
+    Scratch,
+}
+
+/// A column as its owner declares it.
+#[derive(Debug, Clone, Copy)]
+pub struct ColumnInfo {
+    pub name: &'static str,
+    /// SI unit, "" for pure numbers.
+    pub unit: &'static str,
+    /// One sentence for files and manual.
+    pub about: &'static str,
+    pub life: Life,
+    /// Written to snapshots.
+    pub snapshot: bool,
+}
+
+/// Typed handle of a column.
+#[derive(Debug)]
+pub struct Column<T> {
+    pub index: usize,
+    element: PhantomData<fn() -> T>,
+}
+
+impl<T> Clone for Column<T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<T> Copy for Column<T> {}
+
+/// A state column and the rate that the integrator advances it with.
+#[derive(Debug)]
+pub struct Integrated<T> {
+    pub value: Column<T>,
+    pub rate: Column<T>,
+    /// Number among the integrated columns; new rates stand there in a chunk's workspace.
+    pub slot: usize,
+}
+
+impl<T> Clone for Integrated<T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<T> Copy for Integrated<T> {}
+
+/// Something a column can hold.
+pub trait Element: Copy {
+    const SHAPE: Shape;
+    /// Reads from `words` (as many as the shape has).
+    fn load(words: impl Fn(usize) -> u64, width: usize) -> Self;
+    fn store(self, words: impl Fn(usize, u64), width: usize);
+}
+
+impl Element for f64 {
+    const SHAPE: Shape = Shape::Scalar;
+    #[inline(always)]
+    fn load(words: impl Fn(usize) -> u64, _: usize) -> Self {
+        f64::from_bits(words(0))
+    }
+    #[inline(always)]
+    fn store(self, words: impl Fn(usize, u64), _: usize) {
+        words(0, self.to_bits())
+    }
+}
+
+impl Element for ParticleId {
+    const SHAPE: Shape = Shape::Id;
+    #[inline(always)]
+    fn load(words: impl Fn(usize) -> u64, _: usize) -> Self {
+        ParticleId(words(0))
+    }
+    #[inline(always)]
+    fn store(self, words: impl Fn(usize, u64), _: usize) {
+        words(0, self.0)
+    }
+}
+
+/// In 2D the third component reads as zero and is not stored.
+impl Element for Vec3 {
+    const SHAPE: Shape = Shape::Vector;
+    #[inline(always)]
+    fn load(words: impl Fn(usize) -> u64, width: usize) -> Self {
+        let z = if width == 3 { f64::from_bits(words(2)) } else { 0.0 };
+        Vec3::new(f64::from_bits(words(0)), f64::from_bits(words(1)), z)
+    }
+    #[inline(always)]
+    fn store(self, words: impl Fn(usize, u64), width: usize) {
+        words(0, self.x.to_bits());
+        words(1, self.y.to_bits());
+        if width == 3 {
+            words(2, self.z.to_bits());
+        }
+    }
+}
+
+impl Element for Deviator {
+    const SHAPE: Shape = Shape::Deviator;
+    #[inline(always)]
+    fn load(words: impl Fn(usize) -> u64, width: usize) -> Self {
+        let at = |k| f64::from_bits(words(k));
+        let (xz, yz) = if width == 5 { (at(3), at(4)) } else { (0.0, 0.0) };
+        Self { xx: at(0), yy: at(1), xy: at(2), xz, yz }
+    }
+    #[inline(always)]
+    fn store(self, words: impl Fn(usize, u64), width: usize) {
+        words(0, self.xx.to_bits());
+        words(1, self.yy.to_bits());
+        words(2, self.xy.to_bits());
+        if width == 5 {
+            words(3, self.xz.to_bits());
+            words(4, self.yz.to_bits());
+        }
+    }
+}
+
+/// A column in the registry.
+#[derive(Debug, Clone)]
+pub struct Entry {
+    pub info: ColumnInfo,
+    /// Name in files: the declared one, with `_rate` for the rate of an integrated column.
+    pub name: String,
+    pub shape: Shape,
+    /// 64-bit words per particle.
+    pub width: usize,
+    /// Who declared it.
+    pub owner: &'static str,
+}
+
+/// All columns of a run, in the order in which they were declared.
+#[derive(Debug, Clone)]
+pub struct Registry {
+    pub dimension: usize,
+    pub entries: Vec<Entry>,
+    /// (value column, rate column) of every integrated quantity.
+    pub integrated: Vec<(usize, usize)>,
+    owner: &'static str,
+}
+
+impl Registry {
+    pub fn new(dimension: usize) -> Self {
+        Self { dimension, entries: Vec::new(), integrated: Vec::new(), owner: "" }
+    }
+
+    /// Names the effect that declares the columns to come.
+    pub fn owner(&mut self, owner: &'static str) -> &mut Self {
+        self.owner = owner;
+        self
+    }
+
+    pub fn column<T: Element>(&mut self, info: ColumnInfo) -> Column<T> {
+        self.push::<T>(info, info.name.to_string())
+    }
+
+    /// A state column advanced by a rate; the rate is state too, as the predictor starts from it.
+    pub fn integrated<T: Element>(&mut self, info: ColumnInfo) -> Integrated<T> {
+        let value = self.push::<T>(info, info.name.to_string());
+        let rate_info = ColumnInfo { life: Life::State, snapshot: false, ..info };
+        let rate = self.push::<T>(rate_info, format!("{}_rate", info.name));
+        self.integrated.push((value.index, rate.index));
+        Integrated { value, rate, slot: self.integrated.len() - 1 }
+    }
+
+    /// The column another effect declared, if this scene has it.
+    pub fn find<T: Element>(&self, name: &str) -> Option<Column<T>> {
+        let index = self.entries.iter().position(|e| e.name == name)?;
+        assert!(self.entries[index].shape == T::SHAPE, "column {name} asked for with another shape");
+        Some(Column { index, element: PhantomData })
+    }
+
+    /// Bytes of columns per particle.
+    pub fn bytes_per_particle(&self) -> usize {
+        self.entries.iter().map(|e| 8 * e.width).sum()
+    }
+
+    fn push<T: Element>(&mut self, info: ColumnInfo, name: String) -> Column<T> {
+        assert!(self.entries.iter().all(|e| e.name != name), "column {name} declared twice");
+        let width = T::SHAPE.words(self.dimension);
+        self.entries.push(Entry { info, name, shape: T::SHAPE, width, owner: self.owner });
+        Column { index: self.entries.len() - 1, element: PhantomData }
+    }
+}
+
+/// The columns themselves: owned particles only, `len` of them, each column `len * width` words.
+#[derive(Debug)]
+pub struct Columns {
+    pub registry: Registry,
+    words: Vec<Vec<u64>>,
+    len: usize,
+}
+
+impl Columns {
+    pub fn new(registry: Registry) -> Self {
+        let words = registry.entries.iter().map(|_| Vec::new()).collect();
+        Self { registry, words, len: 0 }
+    }
+
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// New particles are zero in every column.
+    pub fn resize(&mut self, len: usize) {
+        for (column, entry) in self.words.iter_mut().zip(&self.registry.entries) {
+            column.resize(len * entry.width, 0);
+        }
+        self.len = len;
+    }
+
+    /// All words of column `index` (length `len * width`).
+    pub fn words(&self, index: usize) -> &[u64] {
+        &self.words[index]
+    }
+
+    pub fn words_mut(&mut self, index: usize) -> &mut [u64] {
+        &mut self.words[index]
+    }
+
+    /// The column's words read as numbers; meaningless for ids.
+    pub fn numbers(&self, index: usize) -> &[f64] {
+        bytemuck::cast_slice(&self.words[index])
+    }
+
+    pub fn width(&self, index: usize) -> usize {
+        self.registry.entries[index].width
+    }
+
+    #[inline]
+    pub fn get<T: Element>(&self, column: Column<T>, i: usize) -> T {
+        let width = self.registry.entries[column.index].width;
+        let words = &self.words[column.index];
+        T::load(|k| words[i * width + k], width)
+    }
+
+    #[inline]
+    pub fn set<T: Element>(&mut self, column: Column<T>, i: usize, value: T) {
+        let width = self.registry.entries[column.index].width;
+        let words = std::cell::Cell::from_mut(&mut self.words[column.index][i * width..(i + 1) * width]).as_slice_of_cells();
+        value.store(|k, w| words[k].set(w), width);
+    }
+
+    /// The particles in the order `order[new] = old`; `scratch` is reused between calls.
+    pub fn reorder(&mut self, order: &[u32], scratch: &mut Vec<u64>) {
+        for (column, entry) in self.words.iter_mut().zip(&self.registry.entries) {
+            let width = entry.width;
+            scratch.clear();
+            for &old in order {
+                scratch.extend_from_slice(&column[old as usize * width..(old as usize + 1) * width]);
+            }
+            std::mem::swap(column, scratch);
+        }
+        self.len = order.len();
+    }
+
+    /// Words of one whole particle, all columns.
+    pub fn particle_words(&self) -> usize {
+        self.registry.entries.iter().map(|e| e.width).sum()
+    }
+
+    /// Appends particle `i`, all columns in registry order, to a message.
+    pub fn write_particle(&self, i: usize, message: &mut Vec<u64>) {
+        for (column, entry) in self.words.iter().zip(&self.registry.entries) {
+            message.extend_from_slice(&column[i * entry.width..(i + 1) * entry.width]);
+        }
+    }
+
+    /// Appends the particles of a message written by [`Columns::write_particle`].
+    pub fn append(&mut self, message: &[u64]) {
+        let per = self.particle_words();
+        debug_assert_eq!(message.len() % per, 0);
+        for particle in message.chunks_exact(per) {
+            let mut at = 0;
+            for (column, entry) in self.words.iter_mut().zip(&self.registry.entries) {
+                column.extend_from_slice(&particle[at..at + entry.width]);
+                at += entry.width;
+            }
+        }
+        self.len += message.len() / per;
+    }
+
+    /// Bytes held, spare capacity included.
+    pub fn bytes(&self) -> usize {
+        self.words.iter().map(|c| 8 * c.capacity()).sum()
+    }
+
+    pub(super) fn raw(&mut self) -> impl Iterator<Item = (*mut u64, usize)> + '_ {
+        self.words.iter_mut().zip(&self.registry.entries).map(|(c, e)| (c.as_mut_ptr(), e.width))
+    }
+}
