@@ -1,6 +1,9 @@
 pub mod error;
 pub mod math;
+pub mod units;
+pub mod kernel;
 pub mod particles;
 pub mod random;
 pub mod domain;
 pub mod material;
+pub mod pair;

@@ -3,6 +3,7 @@
 //! alone. Every column is an array of 64-bit words, so that all of these move words and know no physics.
 
 use std::marker::PhantomData;
+use std::sync::Arc;
 
 use super::id::ParticleId;
 use crate::math::{Deviator, Vec3};
@@ -221,7 +222,7 @@ impl Registry {
 /// The columns themselves: owned particles only, `len` of them, each column `len * width` words.
 #[derive(Debug)]
 pub struct Columns {
-    pub registry: Registry,
+    pub registry: Arc<Registry>,
     words: Vec<Vec<u64>>,
     len: usize,
 }
@@ -229,7 +230,7 @@ pub struct Columns {
 impl Columns {
     pub fn new(registry: Registry) -> Self {
         let words = registry.entries.iter().map(|_| Vec::new()).collect();
-        Self { registry, words, len: 0 }
+        Self { registry: Arc::new(registry), words, len: 0 }
     }
 
     pub fn len(&self) -> usize {

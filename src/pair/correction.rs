@@ -1,0 +1,86 @@
+//! Correction of the velocity gradient, L M^-1, exact for linear velocity fields and so free of strain in rigid rotation
+//! (REFERENCE 1.1, E16). M needs neighbours in all directions: where they are too few or lie in a plane or on a line, the
+//! uncorrected gradient stands.
+
+use crate::math::{Mat3, Sym};
+
+/// Largest trace(M) trace(M^-1) that is inverted; it reaches this when the smallest of three eigenvalues is about 0.05 of
+/// the largest.
+const MAX_CONDITION: f64 = 45.0;
+
+/// The same in 2D: lambda_min = 0.05 lambda_max gives (1.05)(21) = 22.
+const MAX_CONDITION_2D: f64 = 22.0;
+
+/// M^-1, or nothing where the neighbourhood is degenerate. In 2D only xx, yy and xy of `m` count.
+pub fn inverse<const D: usize>(m: &Sym) -> Option<Sym> {
+    if D == 2 {
+        let (det, trace) = (m.xx * m.yy - m.xy * m.xy, m.xx + m.yy);
+        if !(det > 0.0 && trace > 0.0 && trace * trace <= MAX_CONDITION_2D * det) {
+            return None;
+        }
+        let f = 1.0 / det;
+        return Some(Sym { xx: m.yy * f, yy: m.xx * f, xy: -m.xy * f, ..Sym::ZERO });
+    }
+    let xx = m.yy * m.zz - m.yz * m.yz;
+    let yy = m.xx * m.zz - m.xz * m.xz;
+    let zz = m.xx * m.yy - m.xy * m.xy;
+    let xy = m.xz * m.yz - m.xy * m.zz;
+    let xz = m.xy * m.yz - m.xz * m.yy;
+    let yz = m.xy * m.xz - m.yz * m.xx;
+    let det = m.xx * xx + m.xy * xy + m.xz * xz;
+    let trace = m.trace();
+    if !(det > 0.0 && trace > 0.0 && trace * (xx + yy + zz) <= MAX_CONDITION * det) {
+        return None;
+    }
+    let f = 1.0 / det;
+    Some(Sym { xx: xx * f, yy: yy * f, zz: zz * f, xy: xy * f, xz: xz * f, yz: yz * f })
+}
+
+/// L M^-1, or L where M cannot be inverted.
+pub fn corrected<const D: usize>(l: &Mat3, m: &Sym) -> Mat3 {
+    match inverse::<D>(m) {
+        Some(c) => l * c.to_matrix(),
+        None => *l,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn neighbourhood(points: &[[f64; 3]]) -> (Sym, impl Fn(&Mat3) -> Mat3) {
+        let points = points.to_vec();
+        let mut m = Mat3::zeros();
+        for p in &points {
+            let x = nalgebra::Vector3::from(*p);
+            m += x * x.transpose();
+        }
+        let sum = move |g: &Mat3| {
+            points.iter().map(|p| nalgebra::Vector3::from(*p)).map(|x| (g * x) * x.transpose()).sum::<Mat3>()
+        };
+        (Sym::symmetric_part(&m), sum)
+    }
+
+    #[test]
+    fn linear_fields_are_exact_even_one_sided() {
+        let points = [[1.0, 0.1, 0.0], [0.2, 0.9, 0.3], [0.4, -0.8, 0.7], [0.5, 0.2, -0.9], [0.9, -0.3, -0.2]];
+        let (m, sum) = neighbourhood(&points);
+        let g = Mat3::new(0.0, -1.0, 0.4, 1.0, 0.3, 2.0, -0.4, -2.0, 0.1);
+        assert!((corrected::<3>(&sum(&g), &m) - g).norm() < 1e-13);
+    }
+
+    #[test]
+    fn degenerate_neighbourhoods_fall_back() {
+        for points in [
+            vec![],
+            vec![[1.0, 0.0, 0.0]],
+            vec![[1.0, 1.0, 0.0], [-2.0, -2.0, 0.0]],
+            vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.3, 0.0]],
+            vec![[1.0, 0.0, 0.01], [0.0, 1.0, 0.0], [-1.0, 0.3, -0.01]],
+        ] {
+            let (m, sum) = neighbourhood(&points);
+            let g = Mat3::new(0.5, -1.0, 0.4, 1.0, 0.3, 2.0, -0.4, -2.0, 0.1);
+            assert_eq!(corrected::<3>(&sum(&g), &m), sum(&g), "{points:?}");
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! One compiled loop per combination of dimension, terms, kernel and instruction set; chosen once per run.
+
+use std::ops::Range;
+
+use super::record::{Layout, Terms, Viscosity};
+use super::rows::{Constants, Form, RowSums, Rows, sum_rows};
+use crate::kernel::{CubicSpline, Kernel, Shape, WendlandC2};
+use crate::math::lanes::{Avx2, Avx512, Portable, Width, width};
+
+type Loop = unsafe fn(&Rows, &Constants, Range<usize>, &mut [RowSums]);
+
+/// The pair loop of a run.
+#[derive(Clone, Copy)]
+pub struct PairLoop {
+    pub layout: Layout,
+    pub constants: Constants,
+    run: Loop,
+}
+
+impl PairLoop {
+    pub fn new(dimension: usize, terms: Terms, kernel: Kernel, constants: Constants) -> Self {
+        Self::with_width(dimension, terms, kernel, constants, width())
+    }
+
+    /// For tests that compare instruction sets; the processor must have `width`.
+    pub fn with_width(dimension: usize, terms: Terms, kernel: Kernel, constants: Constants, width: Width) -> Self {
+        Self { layout: Layout { dimension, terms }, constants, run: choose(dimension, terms, kernel, width) }
+    }
+
+    /// Sums of the owned particles `range`; `out[k]` receives particle `range.start + k`.
+    pub fn sum(&self, rows: &Rows, range: Range<usize>, out: &mut [RowSums]) {
+        assert!(range.len() <= out.len() && rows.records.len().is_multiple_of(self.layout.stride()));
+        // SAFETY: the loop was chosen for this processor; lists hold slots of the records they were built for.
+        unsafe { (self.run)(rows, &self.constants, range, out) }
+    }
+}
+
+/// The constants of one combination.
+#[derive(Clone, Copy)]
+struct Compiled<const D: usize, const TENSOR: bool, const TENSILE: bool, const CORRECTED: bool, const VISC: u8, K>(
+    std::marker::PhantomData<K>,
+);
+
+impl<const D: usize, const TENSOR: bool, const TENSILE: bool, const CORRECTED: bool, const VISC: u8, K: Shape> Form
+    for Compiled<D, TENSOR, TENSILE, CORRECTED, VISC, K>
+{
+    const D: usize = D;
+    const TERMS: Terms = Terms {
+        tensor: TENSOR,
+        viscosity: match VISC {
+            0 => Viscosity::Off,
+            1 => Viscosity::SameBeta,
+            _ => Viscosity::OwnBeta,
+        },
+        artificial_stress: TENSILE,
+        correction: CORRECTED,
+    };
+    type Kernel = K;
+}
+
+unsafe fn portable<F: Form, const D: usize>(r: &Rows, c: &Constants, w: Range<usize>, out: &mut [RowSums]) {
+    // SAFETY: the portable lanes need no instruction set.
+    unsafe { sum_rows::<Portable, F, D>(r, c, w, out) }
+}
+
+#[target_feature(enable = "avx2,fma")]
+unsafe fn avx2<F: Form, const D: usize>(r: &Rows, c: &Constants, w: Range<usize>, out: &mut [RowSums]) {
+    // SAFETY: `choose` asks the processor first.
+    unsafe { sum_rows::<Avx2, F, D>(r, c, w, out) }
+}
+
+#[target_feature(enable = "avx512f,avx512vl,avx2,fma,popcnt")]
+unsafe fn avx512<F: Form, const D: usize>(r: &Rows, c: &Constants, w: Range<usize>, out: &mut [RowSums]) {
+    // SAFETY: `choose` asks the processor first.
+    unsafe { sum_rows::<Avx512, F, D>(r, c, w, out) }
+}
+
+fn choose(dimension: usize, terms: Terms, kernel: Kernel, width: Width) -> Loop {
+    match (dimension, kernel) {
+        (2, Kernel::CubicSpline) => with_terms::<2, CubicSpline>(terms, width),
+        (2, Kernel::WendlandC2) => with_terms::<2, WendlandC2>(terms, width),
+        (3, Kernel::CubicSpline) => with_terms::<3, CubicSpline>(terms, width),
+        (3, Kernel::WendlandC2) => with_terms::<3, WendlandC2>(terms, width),
+        _ => unreachable!("scenes have two or three dimensions"),
+    }
+}
+
+fn with_terms<const D: usize, K: Shape>(terms: Terms, width: Width) -> Loop {
+    match (terms.tensor, terms.artificial_stress) {
+        (_, true) => with_correction::<D, true, true, K>(terms, width),
+        (true, false) => with_correction::<D, true, false, K>(terms, width),
+        (false, false) => with_correction::<D, false, false, K>(terms, width),
+    }
+}
+
+fn with_correction<const D: usize, const T: bool, const A: bool, K: Shape>(terms: Terms, width: Width) -> Loop {
+    match (terms.correction, terms.viscosity) {
+        (false, Viscosity::Off) => with_lanes::<Compiled<D, T, A, false, 0, K>, D>(width),
+        (false, Viscosity::SameBeta) => with_lanes::<Compiled<D, T, A, false, 1, K>, D>(width),
+        (false, Viscosity::OwnBeta) => with_lanes::<Compiled<D, T, A, false, 2, K>, D>(width),
+        (true, Viscosity::Off) => with_lanes::<Compiled<D, T, A, true, 0, K>, D>(width),
+        (true, Viscosity::SameBeta) => with_lanes::<Compiled<D, T, A, true, 1, K>, D>(width),
+        (true, Viscosity::OwnBeta) => with_lanes::<Compiled<D, T, A, true, 2, K>, D>(width),
+    }
+}
+
+fn with_lanes<F: Form, const D: usize>(width: Width) -> Loop {
+    match width {
+        Width::Portable => portable::<F, D>,
+        Width::Avx2 => avx2::<F, D>,
+        Width::Avx512 => avx512::<F, D>,
+    }
+}

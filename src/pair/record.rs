@@ -1,0 +1,121 @@
+//! The pair record: exactly what a neighbour's loop reads of a particle, in whole cache lines, one record per owned or ghost
+//! particle. Which numbers it holds follows from the terms that the scene asks for.
+
+/// The terms of the pair loop in a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Terms {
+    /// Full stress tensor; only a pressure otherwise.
+    pub tensor: bool,
+    pub viscosity: Viscosity,
+    pub artificial_stress: bool,
+    /// Correction of the velocity gradient.
+    pub correction: bool,
+}
+
+/// How viscosity enters the record.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Viscosity {
+    Off,
+    /// One beta for all materials.
+    SameBeta,
+    /// beta differs: it stands in the record.
+    OwnBeta,
+}
+
+/// Where each number stands in a record.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Layout {
+    pub dimension: usize,
+    pub terms: Terms,
+}
+
+impl Layout {
+    /// m, D numbers.
+    pub const POSITION: usize = 0;
+
+    /// m/s, D numbers.
+    pub const fn velocity(&self) -> usize {
+        self.dimension
+    }
+
+    /// Damaged stress, Pa: xx yy zz xy xz yz in 3D, xx yy xy in 2D; -P alone without strength.
+    pub const fn stress(&self) -> usize {
+        2 * self.dimension
+    }
+
+    pub const fn stress_words(&self) -> usize {
+        if self.terms.tensor { self.tensor_words() } else { 1 }
+    }
+
+    pub const fn tensor_words(&self) -> usize {
+        self.dimension * (self.dimension + 1) / 2
+    }
+
+    /// V, m^3.
+    pub const fn volume(&self) -> usize {
+        self.stress() + self.stress_words()
+    }
+
+    /// m / V, kg/m^3: the density, but for particles whose volume is capped.
+    pub const fn density(&self) -> usize {
+        self.volume() + 1
+    }
+
+    /// 1/h, 1/m.
+    pub const fn h_inverse(&self) -> usize {
+        self.volume() + 2
+    }
+
+    /// alpha c, m/s, where there is viscosity.
+    pub const fn alpha_c(&self) -> usize {
+        self.volume() + 3
+    }
+
+    /// beta, where materials differ in it.
+    pub const fn beta(&self) -> usize {
+        self.volume() + 4
+    }
+
+    /// Artificial stress, Pa.
+    pub const fn artificial(&self) -> usize {
+        self.volume()
+            + match self.terms.viscosity {
+                Viscosity::Off => 3,
+                Viscosity::SameBeta => 4,
+                Viscosity::OwnBeta => 5,
+            }
+    }
+
+    /// Numbers of a record; a ghost record sends just these.
+    pub const fn words(&self) -> usize {
+        self.artificial() + if self.terms.artificial_stress { self.tensor_words() } else { 0 }
+    }
+
+    /// Numbers from one record to the next: whole lines of 64 bytes.
+    pub const fn stride(&self) -> usize {
+        self.words().div_ceil(8) * 8
+    }
+
+    /// The record that pads a row: no volume, no density, a tiny support, far away, so that it adds exact zeros.
+    pub fn padding(&self, record: &mut [f64]) {
+        record.fill(0.0);
+        record[..self.dimension].fill(1e30);
+        record[self.h_inverse()] = 1e20;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_solid_takes_two_lines_and_a_gas_sends_fewer_numbers() {
+        let solid = Terms { tensor: true, viscosity: Viscosity::SameBeta, artificial_stress: false, correction: true };
+        let gas = Terms { tensor: false, ..solid };
+        assert_eq!(Layout { dimension: 3, terms: solid }.words(), 16);
+        assert_eq!(Layout { dimension: 3, terms: gas }.words(), 11);
+        assert_eq!(Layout { dimension: 2, terms: gas }.words(), 9);
+        let tensile = Terms { artificial_stress: true, ..solid };
+        assert_eq!(Layout { dimension: 3, terms: tensile }.words(), 22);
+    }
+}

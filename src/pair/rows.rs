@@ -1,0 +1,240 @@
+//! The pair loop: for each row (an owned particle and its neighbours) the sums of all terms, in one pass over the records.
+//! Neighbour k of a row stands on lane k mod 8; lanes are folded in one fixed order. Rows are padded with a record that
+//! adds exact zeros.
+
+use super::artificial_stress;
+use super::record::{Layout, Terms, Viscosity};
+use super::stress::{PairStress, add_pressure_force};
+use super::viscosity::{Inputs, viscous};
+use super::Pair;
+use crate::kernel::Shape;
+use crate::math::lanes::{LANES, Lanes};
+
+/// Sums of one row. Not yet divided by the density of the row's particle.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct RowSums {
+    /// Sum of V_j (sigma_i + sigma_j - p_ij) . gW: D numbers, N/m^3.
+    pub force: [f64; 3],
+    /// L_i, row by row: D x D numbers, 1/s.
+    pub gradient: [f64; 9],
+    /// M_i: xx yy zz xy xz yz, or xx yy xy in 2D.
+    pub moment: [f64; 6],
+    /// Sum of V_j (p_ij v_ij . gW - f^4 v_ij . R_ij . gW), W/m^3.
+    pub dissipation: f64,
+    /// Largest |mu| of approach, m/s.
+    pub approach: f64,
+    /// Neighbours inside the larger support.
+    pub neighbours: u32,
+}
+
+/// What the loop reads.
+#[derive(Clone, Copy)]
+pub struct Rows<'a> {
+    /// Records in slot order, the padding record last; `Layout::stride` numbers each.
+    pub records: &'a [f64],
+    /// Entries of row i: `entries[offsets[i]..offsets[i + 1]]`, slots, a multiple of eight.
+    pub offsets: &'a [usize],
+    pub entries: &'a [u32],
+    /// Slot of each owned particle.
+    pub slots: &'a [u32],
+}
+
+/// Numbers that are the same for all pairs of a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constants {
+    /// beta of viscosity, where all materials share it.
+    pub beta: f64,
+    /// 1 / W(spacing) of the artificial stress, see [`artificial_stress::reference`].
+    pub artificial_reference: f64,
+}
+
+/// The shape of the loop as constants, so that an absent term leaves no instruction.
+pub trait Form: Copy {
+    const D: usize;
+    const TERMS: Terms;
+    type Kernel: Shape;
+    const LAYOUT: Layout = Layout { dimension: Self::D, terms: Self::TERMS };
+}
+
+/// Sums in the order in which they are folded: force, gradient, moment, dissipation.
+const MOST_SUMS: usize = 24;
+
+struct Sums<L: Lanes> {
+    folded: [L; MOST_SUMS],
+    approach: L,
+    neighbours: u32,
+}
+
+/// One record on all lanes, or eight records.
+struct Side<L: Lanes> {
+    words: [L; 24],
+}
+
+impl<L: Lanes> Side<L> {
+    #[inline(always)]
+    fn at(&self, k: usize) -> L {
+        self.words[k]
+    }
+
+    #[inline(always)]
+    fn stress<F: Form>(&self, from: usize) -> [L; 6] {
+        let mut s = [self.words[from]; 6];
+        for k in 0..F::LAYOUT.tensor_words() {
+            s[k] = self.words[from + k];
+        }
+        s
+    }
+}
+
+/// Rows `range` of the loop; `out[k]` receives row `range.start + k`.
+///
+/// # Safety
+/// As for [`Lanes`]; every entry must be a slot of `rows.records`.
+#[inline(always)]
+pub unsafe fn sum_rows<L: Lanes, F: Form, const D: usize>(
+    rows: &Rows,
+    constants: &Constants,
+    range: std::ops::Range<usize>,
+    out: &mut [RowSums],
+) {
+    unsafe {
+        let stride = F::LAYOUT.stride();
+        let base = rows.records.as_ptr();
+        let norm = L::splat(0.5 * F::Kernel::normalisation::<D>());
+        let fixed = [norm, L::splat(constants.artificial_reference), L::splat(constants.beta)];
+        for (row, sums_out) in range.zip(out) {
+            let mine = &rows.records[rows.slots[row] as usize * stride..][..stride];
+            let mut i = Side { words: [L::splat(0.0); 24] };
+            for k in 0..F::LAYOUT.words() {
+                i.words[k] = L::splat(mine[k]);
+            }
+            let mut sums = Sums { folded: [L::splat(0.0); MOST_SUMS], approach: L::splat(0.0), neighbours: 0 };
+            for eight in rows.entries[rows.offsets[row]..rows.offsets[row + 1]].chunks_exact(LANES) {
+                let mut offsets = [0; LANES];
+                for k in 0..LANES {
+                    offsets[k] = eight[k] as usize * stride;
+                }
+                let mut j = Side { words: [L::splat(0.0); 24] };
+                for quad in 0..F::LAYOUT.words().div_ceil(4) {
+                    let four = L::read_quad(base.add(4 * quad), &offsets);
+                    for k in 0..4 {
+                        j.words[4 * quad + k] = four[k];
+                    }
+                }
+                interact::<L, F, D>(&i, &j, fixed, &mut sums);
+            }
+            *sums_out = fold::<L, F, D>(&sums);
+        }
+    }
+}
+
+/// Every term of one set of eight pairs.
+#[inline(always)]
+unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, fixed: [L; 3], sums: &mut Sums<L>) {
+    unsafe {
+        let [norm, reference, beta] = fixed;
+        let layout = F::LAYOUT;
+        let mut x = [L::splat(0.0); D];
+        let mut v = [L::splat(0.0); D];
+        for a in 0..D {
+            x[a] = i.at(a).sub(j.at(a));
+            v[a] = i.at(D + a).sub(j.at(D + a));
+        }
+        let (mut r2, mut v_dot_x) = (x[0].mul(x[0]), v[0].mul(x[0]));
+        for a in 1..D {
+            r2 = x[a].fma(x[a], r2);
+            v_dot_x = v[a].fma(x[a], v_dot_x);
+        }
+        // Coincident particles: the slope's numerator is an exact zero at q = 0, and stays finite.
+        r2 = r2.max(L::splat(1e-200));
+        let r = r2.sqrt();
+        let (g_i, g_j) = (i.at(layout.h_inverse()), j.at(layout.h_inverse()));
+        let h_inverse = g_i.add(g_j).mul(L::splat(0.5));
+        let inside = r.mul(g_i.min(g_j)).less(L::splat(crate::kernel::SUPPORT));
+        sums.neighbours += L::count(inside);
+
+        let zero = L::splat(0.0);
+        let mut pair = Pair { x, v, r, h_inverse, v_dot_x, gradient: x, slope: zero };
+        let (r_inverse, pressure) = if let Viscosity::Off = F::TERMS.viscosity {
+            (L::splat(1.0).div(r), zero)
+        } else {
+            let own = F::TERMS.viscosity == Viscosity::OwnBeta;
+            let beta = if own { i.at(layout.beta()).add(j.at(layout.beta())).mul(L::splat(0.5)) } else { beta };
+            let inputs = Inputs {
+                density: [i.at(layout.density()), j.at(layout.density())],
+                alpha_c: i.at(layout.alpha_c()).add(j.at(layout.alpha_c())),
+                beta,
+            };
+            let out = viscous(&pair, r2, &inputs);
+            sums.approach = sums.approach.max(out.approach.keep(inside));
+            (out.r_inverse, out.pressure)
+        };
+
+        // Mean of both kernels' slopes, times V_j.
+        let slope_of = |g: L| {
+            let g2 = g.mul(g);
+            F::Kernel::slope_lanes(r.mul(g)).mul(if D == 2 { g2.mul(g) } else { g2.mul(g2) })
+        };
+        pair.slope = slope_of(g_i).add(slope_of(g_j)).mul(norm).mul(j.at(layout.volume())).mul(r_inverse);
+        for a in 0..D {
+            pair.gradient[a] = pair.slope.mul(x[a]);
+        }
+        let (force, rest) = sums.folded.split_at_mut(D);
+        let force: &mut [L; D] = force.try_into().unwrap_unchecked();
+        let mut dissipation = pressure.mul(v_dot_x);
+        if F::TERMS.tensor {
+            let from = layout.stress();
+            let mut stress = PairStress::<L, D>::sum(&i.stress::<F>(from), &j.stress::<F>(from));
+            if F::TERMS.artificial_stress {
+                let from = layout.artificial();
+                let r_ij = PairStress::<L, D>::sum(&i.stress::<F>(from), &j.stress::<F>(from));
+                let (with, power) = artificial_stress::apply::<L, F::Kernel, D>(&pair, reference, &r_ij, stress);
+                stress = with;
+                dissipation = dissipation.sub(power);
+            }
+            stress.minus_pressure(pressure).add_force(&pair.gradient, force);
+        } else {
+            let from = layout.stress();
+            add_pressure_force(i.at(from).add(j.at(from)), pressure, &pair, force);
+        }
+        for a in 0..D {
+            for b in 0..D {
+                rest[D * a + b] = v[a].fnma(pair.gradient[b], rest[D * a + b]);
+            }
+        }
+        let rest = &mut rest[D * D..];
+        let viscous = F::TERMS.viscosity != Viscosity::Off || F::TERMS.artificial_stress;
+        if viscous {
+            rest[0] = dissipation.fma(pair.slope, rest[0]);
+        }
+        if F::TERMS.correction {
+            let m = &mut rest[1..];
+            for a in 0..D {
+                m[a] = x[a].fnma(pair.gradient[a], m[a]);
+            }
+            m[D] = x[0].fnma(pair.gradient[1], m[D]);
+            if D == 3 {
+                m[D + 1] = x[0].fnma(pair.gradient[2], m[D + 1]);
+                m[D + 2] = x[1].fnma(pair.gradient[2], m[D + 2]);
+            }
+        }
+    }
+}
+
+#[inline(always)]
+unsafe fn fold<L: Lanes, F: Form, const D: usize>(sums: &Sums<L>) -> RowSums {
+    unsafe {
+        let count = D + D * D + 1 + if F::TERMS.correction { F::LAYOUT.tensor_words() } else { 0 };
+        let mut flat = [0.0; MOST_SUMS];
+        for group in 0..count.div_ceil(8) {
+            let v = std::array::from_fn(|k| sums.folded[8 * group + k]);
+            flat[8 * group..8 * group + 8].copy_from_slice(&L::fold(v));
+        }
+        let mut out = RowSums { approach: sums.approach.fold_max(), neighbours: sums.neighbours, ..RowSums::default() };
+        out.force[..D].copy_from_slice(&flat[..D]);
+        out.gradient[..D * D].copy_from_slice(&flat[D..D + D * D]);
+        out.dissipation = flat[D + D * D];
+        out.moment.copy_from_slice(&flat[D + D * D + 1..D + D * D + 7]);
+        out
+    }
+}

@@ -1,0 +1,13 @@
+//! One run of a scene, from its particles to its outcome and its price.
+
+pub mod directory;
+pub mod faults;
+pub mod log;
+pub mod report;
+pub mod resources;
+pub mod run;
+pub mod setup;
+pub mod signals;
+pub mod state;
+
+pub use run::{Ended, Options, RunReport, run};

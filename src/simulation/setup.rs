@@ -1,0 +1,139 @@
+//! From a scene to particles that can be stepped: effects, columns, terms of the pair loop, initial conditions. Every rank
+//! makes an equal share of each body's lattice sites; no rank ever holds them all.
+
+use std::ops::Range;
+
+use crate::domain::comm::Comm;
+use crate::error::{Error, Result};
+use crate::material::{self, BodyConstants, Core, MaterialEffect, Setup};
+use crate::math::Vec3;
+use crate::pair::artificial_stress;
+use crate::pair::record::Viscosity;
+use crate::pair::rows::Constants;
+use crate::pair::{PairLoop, Terms};
+use crate::particles::{Columns, ParticleId, Registry};
+use crate::scene::{Scene, SmoothingLength};
+use crate::step::pack::{PackSettings, Packer};
+use crate::step::stepper::StepSettings;
+
+/// What a scene needs, before any particle exists.
+pub struct Plan {
+    pub registry: Registry,
+    pub core: Core,
+    pub effects: Vec<Box<dyn MaterialEffect>>,
+    pub terms: Terms,
+    pub constants: Vec<BodyConstants>,
+    /// alpha and beta of each body's material.
+    viscosity: Vec<(f64, f64)>,
+}
+
+/// Counts the particles of each body, each rank its share of the lattice sites. Collective.
+pub fn count_particles(scene: &Scene, comm: &Comm) -> Result<Vec<BodyConstants>> {
+    let mine = scene.bodies.iter().map(|body| body.count(share(body.lattice_sites(), comm)) as i64);
+    let mut counts: Vec<i64> = mine.collect();
+    comm.all_sum(&mut counts);
+    let constants = scene.bodies.iter().zip(&counts).map(|(body, &count)| {
+        if count == 0 {
+            let what = format!("body `{}` has no particles: no lattice site lies inside its shape", body.name);
+            return Err(Error::new(what).at(scene.path()).allowed("a smaller spacing, or more particles"));
+        }
+        Ok(body.constants(count as u64, scene.numerics.eta))
+    });
+    constants.collect()
+}
+
+/// Declares columns and effects for bodies with these constants.
+pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Plan {
+    let mut registry = Registry::new(scene.dimension);
+    let body_material: Vec<usize> = scene.bodies.iter().map(|body| body.material).collect();
+    let initial_damage: Vec<f64> = scene.bodies.iter().map(|body| body.damage).collect();
+    let smoothing_length = match scene.numerics.smoothing_length {
+        SmoothingLength::Constant => None,
+        SmoothingLength::FollowsDensity { smallest, largest } => {
+            Some(material::smoothing_length::Bounds { smallest, largest })
+        }
+    };
+    let setup = Setup {
+        dimension: scene.dimension,
+        materials: &scene.materials,
+        body_material: &body_material,
+        constants: &constants,
+        initial_damage: &initial_damage,
+        records: scene.record,
+        smoothing_length,
+    };
+    let (core, effects) = material::effects(&setup, &mut registry);
+    let viscosity: Vec<(f64, f64)> = body_material.iter().map(|&m| scene.materials[m].viscosity_coefficients()).collect();
+    let tensile = scene.numerics.artificial_stress.is_some();
+    let terms = Terms {
+        tensor: tensile || scene.materials.iter().any(|m| m.has_strength()),
+        viscosity: match (scene.numerics.viscosity, viscosity.windows(2).all(|pair| pair[0].1 == pair[1].1)) {
+            (false, _) => Viscosity::Off,
+            (true, true) => Viscosity::SameBeta,
+            (true, false) => Viscosity::OwnBeta,
+        },
+        artificial_stress: tensile,
+        correction: scene.numerics.corrected_gradient,
+    };
+    Plan { registry, core, effects, terms, constants, viscosity }
+}
+
+impl Plan {
+    /// New particles of this rank's share of every body, and how to step them.
+    pub fn populate(self, scene: &Scene, comm: &Comm) -> (Columns, StepSettings) {
+        let core = self.core;
+        let mut columns = Columns::new(self.registry.clone());
+        let internal_energy = self.registry.find::<f64>("internal_energy");
+        for (number, body) in scene.bodies.iter().enumerate() {
+            let sites = share(body.lattice_sites(), comm);
+            let count = body.count(sites.clone()) as usize;
+            let first = columns.len();
+            columns.resize(first + count);
+            for (i, (site, position)) in (first..).zip(body.sites(sites)) {
+                columns.set(core.id, i, ParticleId::new(number, site));
+                columns.set(core.position, i, Vec3::from(position));
+                columns.set(core.velocity, i, Vec3::from(body.velocity_at(position)));
+                columns.set(core.density.value, i, body.density);
+                if let Some(u) = internal_energy {
+                    columns.set(u, i, body.internal_energy);
+                }
+            }
+        }
+        (columns, self.settings(scene))
+    }
+
+    /// How to step particles that come from a checkpoint.
+    pub fn settings(self, scene: &Scene) -> StepSettings {
+        let numerics = &scene.numerics;
+        let packer = Packer::new(
+            &self.registry,
+            self.core,
+            PackSettings {
+                terms: self.terms,
+                constants: self.constants.clone(),
+                viscosity: if numerics.viscosity { self.viscosity.clone() } else { vec![(0.0, 0.0); self.viscosity.len()] },
+                artificial_stress_factor: numerics.artificial_stress.map_or(0.0, |a| a.factor),
+                eta: numerics.eta,
+            },
+        );
+        let constants = Constants {
+            beta: self.viscosity[0].1,
+            artificial_reference: artificial_stress::reference(numerics.kernel, numerics.eta),
+        };
+        StepSettings {
+            core: self.core,
+            effects: self.effects,
+            constants: self.constants,
+            packer,
+            pair_loop: PairLoop::new(scene.dimension, self.terms, numerics.kernel, constants),
+            cfl: numerics.cfl,
+            skin: numerics.skin,
+        }
+    }
+}
+
+/// This rank's share of `count` sites.
+fn share(count: u64, comm: &Comm) -> Range<u64> {
+    let part = |rank: usize| (count as u128 * rank as u128 / comm.size() as u128) as u64;
+    part(comm.rank())..part(comm.rank() + 1)
+}

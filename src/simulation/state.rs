@@ -1,0 +1,84 @@
+//! What a run knows beside its particles; all of it goes into checkpoints.
+
+use serde::{Deserialize, Serialize};
+
+use crate::outcome::Outcome;
+use crate::outcome::settled::Settled;
+use crate::step::{Counters, Totals};
+
+/// Largest deviations of conserved quantities so far.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub struct Conservation {
+    /// J.
+    pub initial_energy: f64,
+    /// Initial kinetic energy in the centre-of-mass frame, or the largest energy where that is zero, J.
+    pub energy_scale: f64,
+    pub initial_momentum: [f64; 3],
+    pub initial_angular_momentum: [f64; 3],
+    /// Largest |E - E0|, J.
+    pub energy: f64,
+    /// Largest |p - p0| over sum m |v|.
+    pub momentum: f64,
+    /// Largest |L - L0| over sum m |x| |v|.
+    pub angular_momentum: f64,
+}
+
+impl Conservation {
+    pub fn new(first: &Totals) -> Self {
+        Self {
+            initial_energy: first.energy(),
+            energy_scale: first.kinetic_in_centre_of_mass(),
+            initial_momentum: first.momentum.into(),
+            initial_angular_momentum: first.angular_momentum.into(),
+            ..Self::default()
+        }
+    }
+
+    pub fn note(&mut self, now: &Totals) {
+        let off = |a: [f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
+        let share = |off: f64, scale: f64| if scale > 0.0 { off / scale } else { off };
+        self.energy = self.energy.max((now.energy() - self.initial_energy).abs());
+        let momentum = share(off(now.momentum.into(), &self.initial_momentum), now.momentum_scale);
+        self.momentum = self.momentum.max(momentum);
+        let angular = share(off(now.angular_momentum.into(), &self.initial_angular_momentum), now.angular_scale);
+        self.angular_momentum = self.angular_momentum.max(angular);
+        if self.energy_scale == 0.0 {
+            self.energy_scale = now.energy().abs();
+        }
+    }
+
+    pub fn energy_drift(&self) -> f64 {
+        if self.energy_scale > 0.0 { self.energy / self.energy_scale } else { self.energy }
+    }
+}
+
+/// Time and everything that must survive a restart.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct RunState {
+    /// s.
+    pub time: f64,
+    /// The next step, s.
+    pub dt: f64,
+    pub counters: Counters,
+    pub conservation: Conservation,
+    /// Snapshots written.
+    pub snapshots: u32,
+    pub settled: Option<Settled>,
+    /// Outcome where the run settled, or at its end: this one counts.
+    pub outcome: Option<Outcome>,
+    /// When that was, s.
+    pub outcome_time: f64,
+    /// Wall time, processor time and MPI waits of all ranks before the last restart, s.
+    pub spent: Spent,
+}
+
+/// What a run has cost, over all ranks but for wall time.
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
+pub struct Spent {
+    pub wall: f64,
+    pub cpu: f64,
+    pub wait: f64,
+    pub pairs: u64,
+    pub updates: u64,
+    pub migrated: u64,
+}

@@ -1,0 +1,94 @@
+//! Conserved quantities and what effects report, summed over all particles of all ranks exactly: no order of particles or
+//! ranks can change a bit.
+
+use crate::domain::comm::Comm;
+use crate::material::{BodyConstants, Core, MaterialEffect};
+use crate::math::{ExactSum, Vec3};
+use crate::particles::{Column, Columns};
+
+/// Sums over all particles.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Totals {
+    /// kg
+    pub mass: f64,
+    /// J
+    pub kinetic: f64,
+    /// J; zero where the equations of state are cold.
+    pub internal: f64,
+    /// kg m/s
+    pub momentum: Vec3,
+    /// About the origin, kg m^2/s; in 2D only z.
+    pub angular_momentum: Vec3,
+    /// Sum of m |v|, the scale of momentum errors, kg m/s.
+    pub momentum_scale: f64,
+    /// Sum of m |x| |v|, the scale of errors of angular momentum, kg m^2/s.
+    pub angular_scale: f64,
+    /// One number per diagnostic of the material effects, in their order.
+    pub effects: Vec<f64>,
+}
+
+impl Totals {
+    pub fn energy(&self) -> f64 {
+        self.kinetic + self.internal
+    }
+
+    /// Kinetic energy in the centre-of-mass frame, J.
+    pub fn kinetic_in_centre_of_mass(&self) -> f64 {
+        (self.kinetic - 0.5 * self.momentum.norm_squared() / self.mass).max(0.0)
+    }
+}
+
+/// What [`totals`] reads.
+pub struct Sources<'a> {
+    pub columns: &'a Columns,
+    pub core: &'a Core,
+    pub constants: &'a [BodyConstants],
+    pub effects: &'a [Box<dyn MaterialEffect>],
+    pub internal_energy: Option<Column<f64>>,
+}
+
+/// Sums that every scene has, before those of effects.
+const FIXED: usize = 11;
+
+/// Collective.
+pub fn totals(sources: &Sources, comm: &Comm) -> Totals {
+    let counts: Vec<usize> = sources.effects.iter().map(|effect| effect.diagnostics().len()).collect();
+    let mut sums = vec![ExactSum::new(); FIXED + counts.iter().sum::<usize>()];
+    let columns = sources.columns;
+    for i in 0..columns.len() {
+        let body = columns.get(sources.core.id, i).body();
+        let m = sources.constants[body].particle_mass;
+        let (x, v) = (columns.get(sources.core.position, i), columns.get(sources.core.velocity, i));
+        let (p, l) = (m * v, x.cross(&(m * v)));
+        let u = sources.internal_energy.map_or(0.0, |u| columns.get(u, i));
+        let v2 = v.norm_squared();
+        let speed = v2.sqrt();
+        let fixed = [m, 0.5 * m * v2, m * u, p.x, p.y, p.z, l.x, l.y, l.z, m * speed, m * speed * x.norm_squared().sqrt()];
+        fixed.iter().zip(&mut sums).for_each(|(term, sum)| sum.add(*term));
+        let mut first = FIXED;
+        for (effect, count) in sources.effects.iter().zip(&counts) {
+            if *count > 0 {
+                effect.diagnose(columns, i, body, m, &mut |number, share| sums[first + number].add(share));
+            }
+            first += count;
+        }
+    }
+    let values = sum_over_ranks(&mut sums, comm);
+    Totals {
+        mass: values[0],
+        kinetic: values[1],
+        internal: values[2],
+        momentum: Vec3::new(values[3], values[4], values[5]),
+        angular_momentum: Vec3::new(values[6], values[7], values[8]),
+        momentum_scale: values[9],
+        angular_scale: values[10],
+        effects: values[FIXED..].to_vec(),
+    }
+}
+
+/// The values of all ranks' sums added up, collective and exact.
+pub fn sum_over_ranks(sums: &mut [ExactSum], comm: &Comm) -> Vec<f64> {
+    let mut limbs: Vec<i64> = sums.iter_mut().flat_map(|sum| sum.limbs_mut().to_vec()).collect();
+    comm.all_sum(&mut limbs);
+    limbs.chunks_exact(ExactSum::WORDS).map(|words| ExactSum::from_limbs(words).value()).collect()
+}

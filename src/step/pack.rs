@@ -1,0 +1,157 @@
+//! Pair records of owned particles from their columns: volume, damaged stress, artificial stress, viscosity. This is all
+//! that neighbours, here or on other ranks, will read in the substep.
+
+use std::ops::Range;
+
+use crate::material::{BodyConstants, Core, fracture};
+use crate::math::{Deviator, Sym};
+use crate::pair::artificial_stress::artificial_stress;
+use crate::pair::record::Viscosity;
+use crate::pair::{Layout, Terms};
+use crate::particles::{Chunk, Column, Columns, Registry};
+
+/// Columns that records are made of, and per-body numbers.
+#[derive(Debug, Clone)]
+pub struct Packer {
+    core: Core,
+    layout: Layout,
+    deviatoric_stress: Option<Column<Deviator>>,
+    damage: Option<Column<f64>>,
+    smoothing_length: Option<Column<f64>>,
+    constants: Vec<BodyConstants>,
+    /// (alpha, beta) of each body's material.
+    viscosity: Vec<(f64, f64)>,
+    /// Strength epsilon of the artificial stress.
+    epsilon: f64,
+    /// Spacing over smoothing length, to the power of the dimension, times two: V_max / h^d.
+    most_volume: f64,
+}
+
+/// What a scene says about records.
+#[derive(Debug, Clone)]
+pub struct PackSettings {
+    pub terms: Terms,
+    pub constants: Vec<BodyConstants>,
+    pub viscosity: Vec<(f64, f64)>,
+    pub artificial_stress_factor: f64,
+    /// Smoothing length over spacing.
+    pub eta: f64,
+}
+
+impl Packer {
+    pub fn new(registry: &Registry, core: Core, settings: PackSettings) -> Self {
+        let dimension = registry.dimension;
+        Self {
+            core,
+            layout: Layout { dimension, terms: settings.terms },
+            deviatoric_stress: registry.find("deviatoric_stress"),
+            damage: registry.find("damage"),
+            smoothing_length: registry.find("smoothing_length"),
+            constants: settings.constants,
+            viscosity: settings.viscosity,
+            epsilon: settings.artificial_stress_factor,
+            most_volume: 2.0 / settings.eta.powi(dimension as i32),
+        }
+    }
+
+    /// Smoothing length of particle `i` of `body`, m.
+    #[inline]
+    pub fn smoothing_length(&self, columns: &Columns, i: usize, body: usize) -> f64 {
+        match self.smoothing_length {
+            Some(column) => columns.get(column, i),
+            None => self.constants[body].smoothing_length,
+        }
+    }
+
+    /// The same for particle `k` of a chunk.
+    #[inline]
+    pub fn chunk_smoothing_length(&self, chunk: &Chunk, k: usize, body: usize) -> f64 {
+        match self.smoothing_length {
+            Some(column) => chunk.view(column).get(k),
+            None => self.constants[body].smoothing_length,
+        }
+    }
+
+    /// alpha and beta of a body.
+    #[inline]
+    pub fn viscosity(&self, body: usize) -> (f64, f64) {
+        self.viscosity[body]
+    }
+
+    /// Writes the records of owned particles `range` to `slots[i] * stride`.
+    ///
+    /// # Safety
+    /// `records` must have room for every slot, and no one else may write to the slots of `range` meanwhile.
+    pub unsafe fn pack(&self, columns: &Columns, range: Range<usize>, slots: &[u32], records: *mut f64) {
+        let stride = self.layout.stride();
+        for i in range {
+            // SAFETY: the slot's record lies within `records` and belongs to this particle alone.
+            let record = unsafe { std::slice::from_raw_parts_mut(records.add(slots[i] as usize * stride), stride) };
+            self.pack_one(columns, i, record);
+        }
+    }
+
+    fn pack_one(&self, columns: &Columns, i: usize, record: &mut [f64]) {
+        let layout = &self.layout;
+        let body = columns.get(self.core.id, i).body();
+        let constants = &self.constants[body];
+        let (x, v) = (columns.get(self.core.position, i), columns.get(self.core.velocity, i));
+        for a in 0..layout.dimension {
+            record[a] = x[a];
+            record[layout.dimension + a] = v[a];
+        }
+        let h = self.smoothing_length(columns, i, body);
+        let density = columns.get(self.core.density.value, i);
+        let h_power = if layout.dimension == 2 { h * h } else { h * h * h };
+        let volume = (constants.particle_mass / density).min(self.most_volume * h_power);
+        record[layout.volume()] = volume;
+        record[layout.density()] = constants.particle_mass / volume;
+        record[layout.h_inverse()] = 1.0 / h;
+        let (alpha, beta) = self.viscosity[body];
+        match layout.terms.viscosity {
+            Viscosity::Off => {}
+            Viscosity::SameBeta => record[layout.alpha_c()] = alpha * columns.get(self.core.sound_speed, i),
+            Viscosity::OwnBeta => {
+                record[layout.alpha_c()] = alpha * columns.get(self.core.sound_speed, i);
+                record[layout.beta()] = beta;
+            }
+        }
+        let pressure = columns.get(self.core.pressure, i);
+        if !layout.terms.tensor {
+            record[layout.stress()] = -pressure;
+            return;
+        }
+        let stress = self.damaged_stress(columns, i, pressure);
+        write_tensor(layout.dimension, &stress, &mut record[layout.stress()..]);
+        if layout.terms.artificial_stress {
+            let r = artificial_stress(&stress, self.epsilon);
+            write_tensor(layout.dimension, &r, &mut record[layout.artificial()..]);
+        }
+    }
+
+    /// The stress that neighbours see: deviator and tension weakened by damage, never written back.
+    fn damaged_stress(&self, columns: &Columns, i: usize, pressure: f64) -> Sym {
+        let s = self.deviatoric_stress.map_or(Deviator::default(), |column| columns.get(column, i));
+        let damage = self.damage.map_or(0.0, |column| columns.get(column, i));
+        fracture::damaged_stress(&s, pressure, damage)
+    }
+}
+
+/// xx yy zz xy xz yz, or xx yy xy in 2D.
+fn write_tensor(dimension: usize, s: &Sym, words: &mut [f64]) {
+    if dimension == 2 {
+        words[..3].copy_from_slice(&[s.xx, s.yy, s.xy]);
+    } else {
+        words[..6].copy_from_slice(&[s.xx, s.yy, s.zz, s.xy, s.xz, s.yz]);
+    }
+}
+
+/// Stress of a record as a tensor; in 2D the out-of-plane components, which do no work, are left zero.
+pub fn read_stress(layout: &Layout, record: &[f64]) -> Sym {
+    let s = &record[layout.stress()..];
+    match (layout.terms.tensor, layout.dimension) {
+        (false, _) => Sym { xx: s[0], yy: s[0], zz: s[0], ..Sym::ZERO },
+        (true, 2) => Sym { xx: s[0], yy: s[1], xy: s[2], ..Sym::ZERO },
+        (true, _) => Sym { xx: s[0], yy: s[1], zz: s[2], xy: s[3], xz: s[4], yz: s[5] },
+    }
+}

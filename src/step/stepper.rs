@@ -1,0 +1,343 @@
+//! The particles of a rank and the step that moves them on.
+
+use std::time::Instant;
+
+use super::diagnostics::{self, Sources, Totals};
+use super::evaluate::{Physics, Workspace, chunk_range};
+use super::neighbourhood::Neighbourhood;
+use super::pack::Packer;
+use super::phases::{Phase, Phases};
+use super::time_step::Limit;
+use super::workers::Workers;
+use crate::domain::comm::Comm;
+use crate::error::{Error, Result};
+use crate::material::{BodyConstants, Core, MaterialEffect};
+use crate::pair::{PairLoop, Rows};
+use crate::particles::chunk::{CHUNK, Chunks};
+use crate::particles::{Column, Columns, ParticleId};
+
+/// Chunks between two looks at the messages on their way.
+const CHUNKS_PER_POLL: usize = 8;
+
+/// Everything a scene decides about a substep.
+pub struct StepSettings {
+    pub core: Core,
+    pub effects: Vec<Box<dyn MaterialEffect>>,
+    pub constants: Vec<BodyConstants>,
+    pub packer: Packer,
+    pub pair_loop: PairLoop,
+    pub cfl: f64,
+    /// Skin of the neighbour lists over the support.
+    pub skin: f64,
+}
+
+/// What happened so far, on all ranks alike but for the pairs.
+#[derive(Debug, Clone, Copy, Default, serde::Serialize, serde::Deserialize)]
+pub struct Counters {
+    pub steps: u64,
+    pub list_builds: u64,
+    pub rebisections: u64,
+    /// Of this rank.
+    pub migrated: u64,
+    /// Directed pairs inside the support, of this rank.
+    pub pairs: u64,
+    /// Force evaluations of owned particles, of this rank.
+    pub updates: u64,
+}
+
+/// A line of 64 bytes.
+#[repr(C, align(64))]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+struct Line([f64; 8]);
+
+/// What ranks tell each other after an evaluation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Agreed {
+    /// Largest next step, s.
+    pub dt: f64,
+    /// Largest of the ranks' signals: zero means nothing.
+    pub signal: u32,
+}
+
+pub struct Stepper<'c, const D: usize> {
+    pub comm: &'c Comm,
+    pub columns: Columns,
+    pub settings: StepSettings,
+    pub workers: Workers<Workspace>,
+    pub neighbourhood: Neighbourhood<D>,
+    pub phases: Phases,
+    pub counters: Counters,
+    /// Tightest limit of this rank's particles at the last evaluation.
+    pub limit: Limit,
+    internal_energy: Option<Column<f64>>,
+    records: Vec<Line>,
+    /// Chunks without and with ghosts in their rows.
+    interior: Vec<u32>,
+    boundary: Vec<u32>,
+    all: Vec<u32>,
+    pointers: Vec<(*mut u64, usize)>,
+    bad: Option<(ParticleId, &'static str)>,
+}
+
+impl<'c, const D: usize> Stepper<'c, D> {
+    /// Takes over particles wherever they are; [`Stepper::start`] or [`Stepper::resume`] comes next.
+    pub fn new(comm: &'c Comm, columns: Columns, settings: StepSettings, threads: usize) -> Result<Self> {
+        let workers = Workers::new(threads, || Workspace::new(&columns.registry))?;
+        let internal_energy = columns.registry.find("internal_energy");
+        let neighbourhood = Neighbourhood::new(&columns.registry, &settings);
+        Ok(Self {
+            comm,
+            columns,
+            settings,
+            workers,
+            neighbourhood,
+            phases: Phases::default(),
+            counters: Counters::default(),
+            limit: Limit::NONE,
+            internal_energy,
+            records: Vec::new(),
+            interior: Vec::new(),
+            boundary: Vec::new(),
+            all: Vec::new(),
+            pointers: Vec::new(),
+            bad: None,
+        })
+    }
+
+    /// New particles: distributes them, initialises their effects and evaluates once. Returns the first step.
+    pub fn start(&mut self) -> Result<Agreed> {
+        self.rebuild(true)?;
+        self.material_pass(|physics, chunk, workspace| physics.initialise(chunk, workspace));
+        self.evaluate(0.0)?;
+        self.agree(0)
+    }
+
+    /// Particles of a checkpoint: lists stand on the positions of their last build, as if nothing had happened.
+    pub fn resume(&mut self) -> Result<()> {
+        self.rebuild(false)
+    }
+
+    /// Moves all particles on by `dt`, s. `signal` is this rank's wish to stop, agreed on with all others.
+    pub fn step(&mut self, dt: f64, signal: u32) -> Result<Agreed> {
+        let start = Instant::now();
+        self.material_pass(|physics, chunk, workspace| physics.predict(chunk, dt, workspace));
+        self.phases.add(Phase::Predict, start);
+        let start = Instant::now();
+        let exceeded = self.neighbourhood.exceeded(&self.columns, &self.settings, self.comm);
+        self.phases.add(Phase::Watch, start);
+        let mut rebuild = [exceeded as u64 as f64];
+        let start = Instant::now();
+        self.comm.all_max(&mut rebuild);
+        self.phases.add(Phase::Reduce, start);
+        if rebuild[0] > 0.0 {
+            self.rebuild(true)?;
+        }
+        self.evaluate(dt)?;
+        self.counters.steps += 1;
+        self.agree(signal)
+    }
+
+    /// Conserved quantities; collective.
+    pub fn totals(&mut self) -> Totals {
+        let start = Instant::now();
+        let sources = Sources {
+            columns: &self.columns,
+            core: &self.settings.core,
+            constants: &self.settings.constants,
+            effects: &self.settings.effects,
+            internal_energy: self.internal_energy,
+        };
+        let totals = diagnostics::totals(&sources, self.comm);
+        self.phases.add(Phase::Diagnostics, start);
+        totals
+    }
+
+    /// The tightest limit of all ranks, with its reason; collective, for the log.
+    pub fn tightest_limit(&self) -> (Limit, &'static str) {
+        let l = &self.limit;
+        let mine = [l.dt, l.reason as f64, f64::from_bits(l.id.0), l.position[0], l.position[1], l.position[2]];
+        let all = self.comm.all_gather(&mine);
+        let limits = all.chunks_exact(6).map(|w| Limit {
+            dt: w[0],
+            reason: w[1] as usize,
+            id: ParticleId(w[2].to_bits()),
+            position: [w[3], w[4], w[5]],
+        });
+        let limit = limits.fold(Limit::NONE, Limit::tighter);
+        (limit, self.reason_name(limit.reason))
+    }
+
+    pub fn reason_name(&self, reason: usize) -> &'static str {
+        match reason {
+            Limit::CFL => "CFL",
+            Limit::ACCELERATION => "acceleration",
+            effect => self.settings.effects[effect - Limit::EFFECTS].name(),
+        }
+    }
+
+    /// Bytes of the pair records held.
+    pub fn record_bytes(&self) -> usize {
+        std::mem::size_of::<Line>() * self.records.capacity()
+    }
+
+    fn material_pass(&mut self, work: impl Fn(&Physics, &crate::particles::Chunk, &mut Workspace) + Sync) {
+        let (registry, count) = (self.columns.registry.clone(), self.columns.len());
+        let physics = physics(&self.settings, &registry);
+        let chunks = Chunks::new(&mut self.columns, std::mem::take(&mut self.pointers));
+        self.workers.each(&self.all, |chunk, workspace| {
+            // SAFETY: each chunk is worked on once per pass, and chunks do not overlap.
+            let chunk = unsafe { chunks.chunk(chunk_range(chunk, count)) };
+            work(&physics, &chunk, workspace);
+        });
+        self.pointers = chunks.into_pointers();
+    }
+
+    /// Pack, exchange, pair loop, rates, correction by `dt`.
+    fn evaluate(&mut self, dt: f64) -> Result<()> {
+        let start = Instant::now();
+        self.pack();
+        self.phases.add(Phase::Pack, start);
+        let layout = self.settings.pair_loop.layout;
+        let (stride, words) = (layout.stride(), layout.words());
+        let records: &[f64] = bytemuck::cast_slice(&self.records);
+        self.neighbourhood.send(records, stride, words, self.comm);
+        let start = Instant::now();
+        let interior = std::mem::take(&mut self.interior);
+        for group in interior.chunks(CHUNKS_PER_POLL * self.workers.threads()) {
+            self.evaluate_chunks(group, dt);
+            self.neighbourhood.exchange.poll();
+        }
+        self.interior = interior;
+        self.phases.add(Phase::Pairs, start);
+        let start = Instant::now();
+        self.neighbourhood.exchange.wait(self.comm);
+        self.phases.add(Phase::Wait, start);
+        let start = Instant::now();
+        self.neighbourhood.receive(bytemuck::cast_slice_mut(&mut self.records), stride, words);
+        let boundary = std::mem::take(&mut self.boundary);
+        self.evaluate_chunks(&boundary, dt);
+        self.boundary = boundary;
+        let (mut limit, mut bad, mut pairs) = (Limit::NONE, None, 0);
+        self.workers.collect(|workspace| {
+            let (l, b, p) = workspace.take();
+            limit = limit.tighter(l);
+            bad = match (bad, b) {
+                (Some((a, what)), Some((b, other))) => Some(if a <= b { (a, what) } else { (b, other) }),
+                (a, b) => a.or(b),
+            };
+            pairs += p;
+        });
+        (self.limit, self.bad) = (limit, bad);
+        self.counters.pairs += pairs;
+        self.counters.updates += self.columns.len() as u64;
+        self.phases.add(Phase::Pairs, start);
+        Ok(())
+    }
+
+    fn evaluate_chunks(&mut self, items: &[u32], dt: f64) {
+        let (registry, count) = (self.columns.registry.clone(), self.columns.len());
+        let physics = physics(&self.settings, &registry);
+        let rows = Rows {
+            records: bytemuck::cast_slice(&self.records),
+            offsets: &self.neighbourhood.list.offsets,
+            entries: &self.neighbourhood.list.entries,
+            slots: &self.neighbourhood.local.slot_of_owned,
+        };
+        let chunks = Chunks::new(&mut self.columns, std::mem::take(&mut self.pointers));
+        self.workers.each(items, |chunk, workspace| {
+            // SAFETY: each chunk is worked on once per pass, and chunks do not overlap.
+            let chunk = unsafe { chunks.chunk(chunk_range(chunk, count)) };
+            physics.evaluate(&chunk, &rows, dt, workspace);
+        });
+        self.pointers = chunks.into_pointers();
+    }
+
+    fn pack(&mut self) {
+        struct Records(*mut f64);
+        // SAFETY: chunks write to the slots of their own particles only, which are all different.
+        unsafe impl Sync for Records {}
+        impl Records {
+            fn start(&self) -> *mut f64 {
+                self.0
+            }
+        }
+        let records = Records(bytemuck::cast_slice_mut::<Line, f64>(&mut self.records).as_mut_ptr());
+        let (columns, packer) = (&self.columns, &self.settings.packer);
+        let slots = &self.neighbourhood.local.slot_of_owned;
+        self.workers.each(&self.all, |chunk, _| {
+            // SAFETY: `records` has a slot for every local particle, and no two particles share one.
+            unsafe { packer.pack(columns, chunk_range(chunk, columns.len()), slots, records.start()) };
+        });
+    }
+
+    /// One answer of all ranks: the next step, a particle gone bad, a wish to stop.
+    fn agree(&mut self, signal: u32) -> Result<Agreed> {
+        let bad = self.bad.is_some() as u32 as f64;
+        let mut values = [self.limit.dt, -bad, -(signal as f64)];
+        let start = Instant::now();
+        self.comm.all_min(&mut values);
+        self.phases.add(Phase::Reduce, start);
+        if values[1] < 0.0 {
+            return Err(self.describe_bad());
+        }
+        if !(values[0] > 0.0 && values[0].is_finite()) {
+            return Err(Error::new(format!("no finite time step: {} s", values[0])));
+        }
+        Ok(Agreed { dt: values[0], signal: -values[2] as u32 })
+    }
+
+    /// The bad particle with the smallest id of all ranks; collective.
+    fn describe_bad(&self) -> Error {
+        let id = self.bad.map_or(u64::MAX, |(id, _)| id.0);
+        let names: Vec<&'static str> = self.columns.registry.entries.iter().map(|e| e.info.name).collect();
+        let what = self.bad.and_then(|(_, what)| names.iter().position(|n| *n == what)).unwrap_or(usize::MAX);
+        let all = self.comm.all_gather(&[id, what as u64]);
+        let first = all.chunks_exact(2).min_by_key(|w| w[0]).unwrap_or(&[0, 0]);
+        let name = names.get(first[1] as usize).copied().unwrap_or("state");
+        let id = ParticleId(first[0]);
+        Error::new(format!("the rate of {name} is no number"))
+            .at(format!("step {}, particle {} of body {}", self.counters.steps, id.site(), id.body()))
+    }
+
+    /// New lists; `fresh` from the present positions, otherwise from those of the last build.
+    fn rebuild(&mut self, fresh: bool) -> Result<()> {
+        let built = self.neighbourhood.rebuild(&mut self.columns, &self.settings, &self.workers, self.comm, fresh)?;
+        self.phases.seconds[Phase::Migration as usize] += built.migration_seconds;
+        self.phases.seconds[Phase::Lists as usize] += built.list_seconds;
+        self.counters.list_builds += fresh as u64;
+        self.counters.rebisections += built.rebisected as u64;
+        self.counters.migrated += built.migrated as u64;
+        let count = self.columns.len();
+        self.all.clear();
+        self.all.extend(0..count.div_ceil(CHUNK) as u32);
+        self.interior.clear();
+        self.boundary.clear();
+        let mut rest = self.neighbourhood.boundary.iter().peekable();
+        for &chunk in &self.all {
+            let range = chunk_range(chunk as usize, count);
+            let mut with_ghosts = false;
+            while rest.next_if(|row| (**row as usize) < range.end).is_some() {
+                with_ghosts = true;
+            }
+            if with_ghosts { self.boundary.push(chunk) } else { self.interior.push(chunk) }
+        }
+        let layout = self.settings.pair_loop.layout;
+        let lines = layout.stride() / 8;
+        self.records.resize((self.neighbourhood.local.count + 1) * lines, Line([0.0; 8]));
+        let padding = self.neighbourhood.local.count * layout.stride();
+        layout.padding(&mut bytemuck::cast_slice_mut::<Line, f64>(&mut self.records)[padding..padding + layout.stride()]);
+        Ok(())
+    }
+}
+
+fn physics<'a>(settings: &'a StepSettings, registry: &'a crate::particles::Registry) -> Physics<'a> {
+    Physics {
+        registry,
+        core: &settings.core,
+        constants: &settings.constants,
+        effects: &settings.effects,
+        packer: &settings.packer,
+        pair_loop: &settings.pair_loop,
+        cfl: settings.cfl,
+    }
+}

@@ -1,0 +1,47 @@
+//! The time step: the smallest that any effect allows anywhere, and who asked for it.
+//!
+//!   CFL            dt <= C h / (c + 0.6 (alpha c + beta |mu|))      Monaghan 1989 (J. Comp. Phys. 82, 1), eq. 4.9 with
+//!                                                                   the largest |mu| over approaching neighbours
+//!   acceleration   dt <= C sqrt(h / |a|)
+//!
+//! and the limits of the material effects. Minima do not depend on order, so neither does the step.
+
+use crate::particles::ParticleId;
+
+/// Who limits the step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limit {
+    pub dt: f64,
+    /// 0 CFL, 1 acceleration, then the material effects in their order.
+    pub reason: usize,
+    pub id: ParticleId,
+    pub position: [f64; 3],
+}
+
+impl Limit {
+    pub const CFL: usize = 0;
+    pub const ACCELERATION: usize = 1;
+    /// First number of a material effect.
+    pub const EFFECTS: usize = 2;
+
+    pub const NONE: Self = Self { dt: f64::INFINITY, reason: 0, id: ParticleId(u64::MAX), position: [0.0; 3] };
+
+    /// The tighter of two; equal ones are told apart by reason and particle, so that the log is the same for any ranks.
+    pub fn tighter(self, other: Self) -> Self {
+        let key = |l: &Self| (l.dt, l.reason, l.id);
+        if key(&other) < key(&self) { other } else { self }
+    }
+}
+
+/// Signal-speed limit of one particle, s.
+#[inline]
+pub fn cfl(factor: f64, h: f64, sound_speed: f64, alpha_beta: (f64, f64), approach: f64) -> f64 {
+    let (alpha, beta) = alpha_beta;
+    factor * h / (sound_speed + 0.6 * (alpha * sound_speed + beta * approach))
+}
+
+/// Acceleration limit of one particle, s; infinite at rest.
+#[inline]
+pub fn acceleration(factor: f64, h: f64, a2: f64) -> f64 {
+    factor * (h / a2.sqrt()).sqrt()
+}
