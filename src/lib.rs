@@ -1,9 +1,27 @@
+//! A hydrocode for impacts into strong, brittle, porous and dusty bodies: smoothed particles, distributed with MPI.
+
 pub mod error;
 pub mod math;
 pub mod units;
+
 pub mod kernel;
 pub mod particles;
 pub mod random;
+
 pub mod domain;
+pub mod neighbours;
+
+pub mod gravity;
 pub mod material;
 pub mod pair;
+
+pub mod outcome;
+pub mod output;
+pub mod scene;
+
+pub mod step;
+
+pub mod simulation;
+
+pub mod campaigns;
+pub mod cli;

@@ -4,9 +4,80 @@
 //! Sign conventions, stated once: stress is positive in tension, pressure positive in compression, sigma = S - P 1;
 //! L[(a, b)] = d v_a / d x_b.
 
-use crate::math::Mat3;
+pub mod setup;
+#[cfg(test)]
+mod testing;
+pub mod viscosity;
+
+use crate::error::Result;
+use crate::math::{Mat3, Vec3};
 use crate::particles::{Chunk, Column, Columns, Element, Integrated, ParticleId, Registry, View};
-use crate::math::Vec3;
+pub use record::Records;
+pub use setup::{PerBody, Setup, Table};
+
+/// From the one list of material effects follow their modules, the fields of [`MaterialTable`] and [`effects`].
+macro_rules! material_effects {
+    ($($(#[$about:meta])* $module:ident::$effect:ident $({ $field:ident: $table:ty })?;)*) => {
+        $($(#[$about])* pub mod $module;)*
+
+        /// A material as a scene describes it: one table per effect, absent where the material does without it.
+        #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+        #[serde(deny_unknown_fields)]
+        pub struct MaterialTable {
+            $($(#[doc = concat!("See [`", stringify!($module), "`].")] pub $field: $table,)?)*
+            /// Coefficients of the artificial viscosity between particles.
+            pub viscosity: Option<viscosity::ViscosityTable>,
+        }
+
+        impl MaterialTable {
+            /// Checks every table; `place` names the material in messages, `material.basalt`.
+            pub fn validate(&self, place: &str) -> Result<()> {
+                $($(self.$field.validate(&format!("{place}.{}", stringify!($field)), self)?;)?)*
+                self.viscosity.validate(&format!("{place}.viscosity"), self)
+            }
+        }
+
+        /// The columns of every scene and the effects its materials ask for, in the order in which they act.
+        pub fn effects(setup: &Setup, registry: &mut Registry) -> (Core, Vec<Box<dyn MaterialEffect>>) {
+            let core = declare_core(registry);
+            let mut effects: Vec<Box<dyn MaterialEffect>> = Vec::new();
+            $(if let Some(effect) = $module::$effect::declare(setup, registry, &core) {
+                effects.push(Box::new(effect));
+            })*
+            (core, effects)
+        }
+    };
+}
+
+// Every material effect there is: file and type, and the table that asks for it. They act in this order, so an effect
+// may use what those above it have brought up to date.
+material_effects! {
+    /// Density follows the flow.
+    density::Continuity;
+    /// Pressure from density and internal energy.
+    eos::EquationOfState { eos: eos::EosTable };
+    /// Resistance to shear.
+    strength::Strength { strength: Option<strength::StrengthTable> };
+    /// Damage by the growth of flaws.
+    fracture::Fracture { fracture: Option<fracture::FractureTable> };
+    /// The largest values that a particle has seen.
+    record::Record;
+}
+
+impl MaterialTable {
+    /// Density without load, kg/m^3; a gas has none.
+    pub fn reference_density(&self) -> Option<f64> {
+        self.eos.law().reference_density()
+    }
+
+    pub fn has_strength(&self) -> bool {
+        self.strength.is_some()
+    }
+
+    pub fn has_fracture(&self) -> bool {
+        self.fracture.is_some()
+    }
+}
 
 /// Columns that every scene has.
 #[derive(Debug, Clone, Copy)]
@@ -69,6 +140,16 @@ impl Local<'_> {
         self.bodies.is_empty()
     }
 
+    /// The chunk as stretches of particles of one body, so that what depends on the body is looked up once per stretch.
+    pub fn runs(&self) -> impl Iterator<Item = (usize, std::ops::Range<usize>)> + '_ {
+        let mut start = 0;
+        self.bodies.chunk_by(|a, b| a == b).map(move |run| {
+            let range = start..start + run.len();
+            start = range.end;
+            (run[0] as usize, range)
+        })
+    }
+
     #[inline]
     pub fn view<T: Element>(&self, column: Column<T>) -> View<'_, T> {
         self.chunk.view(column)
@@ -99,7 +180,15 @@ pub struct Diagnostic {
 
 /// Local physics. Methods are called once per chunk; each loops over the particles its bodies have it for.
 pub trait MaterialEffect: Send + Sync {
+    /// Declares the columns of the effect, or `None` where no material of the scene asks for it: then nothing of it exists.
+    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Option<Self>
+    where
+        Self: Sized;
+
     fn name(&self) -> &'static str;
+
+    /// State that new particles start with, beyond zero; called once, when they are made.
+    fn initialise(&self, _local: &Local) {}
 
     /// Rates of the integrated columns at the state that the pair loop saw.
     fn rates(&self, _local: &Local) {}
@@ -131,13 +220,23 @@ pub fn declare_core(registry: &mut Registry) -> Core {
     let scratch = |name, unit, about, snapshot| ColumnInfo { name, unit, about, life: Life::Scratch, snapshot };
     registry.owner("core");
     Core {
-        id: registry.column(state("id", "", "Global number: body in the upper 16 bits, lattice site in the lower 48.", true)),
+        id: registry.column(state(
+            "id",
+            "",
+            "Global number: body in the upper 16 bits, lattice site in the lower 48.",
+            true,
+        )),
         position: registry.column(state("position", "m", "Position.", true)),
         velocity: registry.column(state("velocity", "m/s", "Velocity.", true)),
         acceleration: registry.column(state("acceleration", "m/s^2", "Acceleration at the last evaluation.", false)),
         build_position: registry.column(state("build_position", "m", "Position at the last list build.", false)),
         density: registry.integrated(state("density", "kg/m^3", "Bulk density.", true)),
-        pressure: registry.column(scratch("pressure", "Pa", "Pressure at the last force evaluation, before damage.", true)),
+        pressure: registry.column(scratch(
+            "pressure",
+            "Pa",
+            "Pressure at the last force evaluation, before damage.",
+            true,
+        )),
         sound_speed: registry.column(scratch("sound_speed", "m/s", "Longitudinal speed of sound.", false)),
     }
 }

@@ -1,0 +1,181 @@
+//! Equation of state: pressure and bulk speed of sound from density and internal energy, and the energy itself:
+//! du/dt = sigma : L / rho + viscous heating (Jutzi et al. 2008, eq. 30), summed by the pair loop as the counterpart of
+//! the momentum sums.
+//!
+//! u specific internal energy, J/kg; P pressure, Pa; c speed of sound, m/s.
+//! Columns: owns `internal_energy`; sets the core columns `pressure` and `sound_speed`.
+//! Time step: none of its own; the Courant condition uses its speed of sound.
+
+pub mod ideal_gas;
+pub mod tillotson;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Core, Local, MaterialEffect, MaterialTable, PerBody, Setup, Table};
+use crate::error::Result;
+use crate::particles::{Column, ColumnInfo, Integrated, Life, Registry};
+use ideal_gas::{IdealGas, IdealGasTable};
+use tillotson::{Tillotson, TillotsonTable};
+
+/// Name of the column that this effect owns.
+pub const INTERNAL_ENERGY: &str = "internal_energy";
+
+/// `eos = { tillotson = { ... } }` or `eos = { ideal_gas = { ... } }`
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum EosTable {
+    Tillotson(TillotsonTable),
+    IdealGas(IdealGasTable),
+}
+
+impl EosTable {
+    pub fn law(&self) -> Eos {
+        match self {
+            EosTable::Tillotson(table) => Eos::Tillotson(Tillotson::new(table)),
+            EosTable::IdealGas(table) => Eos::IdealGas(IdealGas::new(table)),
+        }
+    }
+}
+
+impl Table for EosTable {
+    fn validate(&self, place: &str, _material: &MaterialTable) -> Result<()> {
+        match self {
+            EosTable::Tillotson(table) => table.validate(&format!("{place}.tillotson")),
+            EosTable::IdealGas(table) => table.validate(&format!("{place}.ideal_gas")),
+        }
+    }
+}
+
+/// The closed family of equations of state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Eos {
+    Tillotson(Tillotson),
+    IdealGas(IdealGas),
+}
+
+impl Eos {
+    /// Pressure, Pa, and bulk speed of sound, m/s, at density `rho`, kg/m^3, and internal energy `u`, J/kg.
+    #[inline]
+    pub fn pressure(&self, rho: f64, u: f64) -> (f64, f64) {
+        match self {
+            Eos::Tillotson(law) => law.pressure(rho, u),
+            Eos::IdealGas(law) => law.pressure(rho, u),
+        }
+    }
+
+    /// Density without load and heat, kg/m^3; a gas has none.
+    pub fn reference_density(&self) -> Option<f64> {
+        match self {
+            Eos::Tillotson(law) => Some(law.reference_density()),
+            Eos::IdealGas(_) => None,
+        }
+    }
+
+    /// Bulk modulus at the reference density, Pa; a gas has none.
+    pub fn bulk_modulus(&self) -> Option<f64> {
+        match self {
+            Eos::Tillotson(law) => Some(law.bulk_modulus()),
+            Eos::IdealGas(_) => None,
+        }
+    }
+
+    /// Energies at which vaporisation begins and is complete, J/kg, for laws that know them.
+    pub fn vaporisation(&self) -> Option<[f64; 2]> {
+        match self {
+            Eos::Tillotson(law) => Some(law.vaporisation()),
+            Eos::IdealGas(_) => None,
+        }
+    }
+}
+
+/// Internal energy, pressure and speed of sound of every particle; always present.
+pub struct EquationOfState {
+    laws: PerBody<Eos>,
+    density: Column<f64>,
+    energy: Integrated<f64>,
+    pressure: Column<f64>,
+    sound_speed: Column<f64>,
+}
+
+impl MaterialEffect for EquationOfState {
+    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Option<Self> {
+        let laws = PerBody::new(setup, |_, material| Some(material.eos.law()))?;
+        let energy = registry.owner("eos").integrated(ColumnInfo {
+            name: INTERNAL_ENERGY,
+            unit: "J/kg",
+            about: "Specific internal energy.",
+            life: Life::State,
+            snapshot: true,
+        });
+        let (density, pressure, sound_speed) = (core.density.value, core.pressure, core.sound_speed);
+        Some(Self { laws, density, energy, pressure, sound_speed })
+    }
+
+    fn name(&self) -> &'static str {
+        "eos"
+    }
+
+    fn rates(&self, local: &Local) {
+        let rate = local.new_rate(self.energy);
+        for (i, motion) in local.motion.iter().enumerate() {
+            rate.set(i, motion.heating);
+        }
+    }
+
+    fn update(&self, local: &Local) {
+        let (density, energy) = (local.view(self.density), local.view(self.energy.value));
+        let (pressure, sound_speed) = (local.view(self.pressure), local.view(self.sound_speed));
+        let set = |i: usize, (p, c): (f64, f64)| {
+            pressure.set(i, p);
+            sound_speed.set(i, c);
+        };
+        let state = |i: usize| (density.get(i), energy.get(i));
+        for (law, range) in self.laws.runs(local) {
+            // The law is chosen outside the loop over particles.
+            match law {
+                Eos::Tillotson(law) => range.for_each(|i| set(i, law.pressure(state(i).0, state(i).1))),
+                Eos::IdealGas(law) => range.for_each(|i| set(i, law.pressure(state(i).0, state(i).1))),
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::{Rig, basalt, gas};
+    use super::*;
+    use crate::math::Mat3;
+
+    #[test]
+    fn tables_are_strict() {
+        let table = |text: &str| toml::from_str::<MaterialTable>(text);
+        assert!(table("eos = { ideal_gas = { gamma = 1.4 } }").is_ok());
+        assert!(table("eos = { ideal_gas = { gamma = 1.4, mass = 2 } }").is_err());
+        assert!(table("eos = { van_der_waals = { gamma = 1.4 } }").is_err());
+        let error = table("eos = { ideal_gas = { gamma = 1 } }").unwrap().validate("material.air").unwrap_err();
+        assert_eq!(error.to_string(), "material.air.eos.ideal_gas.gamma: gamma is 1 (allowed: numbers above 1)");
+    }
+
+    /// Adiabatic compression of a gas from rest: P / rho^gamma stays, to second order in the step.
+    #[test]
+    fn adiabatic_compression_keeps_entropy() {
+        let mut rig = Rig::new(gas());
+        let energy = rig.column(INTERNAL_ENERGY);
+        rig.set(energy, 2.5e5);
+        rig.step(&Mat3::zeros(), 0.0);
+        let entropy = |rig: &Rig| rig.get(rig.core.pressure) / libm::pow(rig.get(rig.core.density.value), 1.4);
+        let before = entropy(&rig);
+        for _ in 0..1000 {
+            rig.step(&Mat3::from_diagonal_element(-0.1), 1e-3);
+        }
+        assert!((entropy(&rig) / before - 1.0).abs() < 1e-6, "{}", entropy(&rig) / before);
+    }
+
+    #[test]
+    fn each_body_has_its_own_law() {
+        let mut rig = Rig::with_materials(vec![gas(), basalt()]);
+        rig.step(&Mat3::zeros(), 0.0);
+        assert_eq!(rig.get_of(0, rig.core.sound_speed), 0.0);
+        assert!(rig.get_of(1, rig.core.sound_speed) > 3000.0);
+    }
+}

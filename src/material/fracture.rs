@@ -1,0 +1,464 @@
+//! Fracture by the growth of flaws (Grady & Kipp 1980, as Benz & Asphaug 1995; Jutzi et al. 2008, eqs 34-39).
+//!
+//! ```text
+//! n(<eps) = k eps^m                              flaws per volume that are active below a strain (Weibull)
+//! eps_j = (Gamma_j / (k V))^(1/m)                thresholds of a particle's flaws, j = 1, 2, ...
+//! eps = sigma_1 / ((1 - D) E_Y)                  local strain;  E_Y = 9 K mu / (3 K + mu)
+//! d D^(1/3) / dt = n_act^(1/3) c_g / R_s         while eps > eps_1, up to D = n_act / n_tot
+//! c_g = 0.4 c_L    c_L^2 = (K + 4/3 mu) / rho_0    R_s = 2h
+//! ```
+//! D damage, the share of a particle's volume that its cracks have relieved of stress; sigma_1 largest principal value of
+//! the damaged stress, K, mu, E_Y bulk, shear and Young's modulus, Pa; k Weibull constant, 1/m^3, m its exponent; V volume
+//! of a particle at the start, m^3; n_act, n_tot its active flaws and all its flaws; c_g speed of a crack, m/s; R_s radius
+//! of the particle's kernel at the start, m.
+//!
+//! The original assignment gives flaws to particles one by one until each has one, which needs all particles. Here the
+//! flaws of a particle are a Poisson process of its own: Gamma_j is the sum of j exponential draws that depend only on
+//! (seed, id), and the process ends at k V eps^m = ln N + 0.577, the mean number of flaws per particle of the original
+//! among N; a particle has at least one. Only the weakest flaw is stored, the others are drawn again when needed.
+//!
+//! Damage acts through a view of the stress, [`damaged_stress`], and is never written back into it.
+//! Columns: owns `damage` and `activation_threshold`. D grows in `update` alone and never decreases.
+//! Time step: none; at a Courant number of 0.25 and with 12 active flaws D^(1/3) grows by 0.11 per step.
+
+use serde::{Deserialize, Serialize};
+
+use super::setup::{Table, all_positive};
+use super::{Core, Diagnostic, Local, MaterialEffect, MaterialTable, PerBody, Setup, strength};
+use crate::error::{Error, Result};
+use crate::math::{Deviator, Sym};
+use crate::particles::{Column, ColumnInfo, Columns, Life, ParticleId, Registry};
+use crate::random::uniform_pair;
+use crate::units::{Number, NumberDensity};
+
+/// Name of the column that the pair loop reads.
+pub const DAMAGE: &str = "damage";
+
+/// Crack speed over the longitudinal speed of sound.
+const CRACK_SPEED: f64 = 0.4;
+/// Euler's constant, to the digits of the original assignment's mean.
+const EULER: f64 = 0.577;
+
+/// `[material.X.fracture]`
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FractureTable {
+    pub model: FractureModel,
+    /// Chooses the flaws.
+    #[serde(default = "first_seed")]
+    pub seed: u64,
+    pub weibull_k: NumberDensity,
+    pub weibull_m: Number,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum FractureModel {
+    GradyKipp,
+}
+
+fn first_seed() -> u64 {
+    1
+}
+
+impl Table for FractureTable {
+    fn validate(&self, place: &str, material: &MaterialTable) -> Result<()> {
+        let FractureModel::GradyKipp = self.model;
+        all_positive(place, &[("weibull_k", self.weibull_k.0), ("weibull_m", self.weibull_m.0)])?;
+        if material.strength.is_none() {
+            return Err(Error::new("fracture needs strength, as flaws open under stress")
+                .at(place)
+                .allowed("a strength table beside it"));
+        }
+        if material.eos.law().bulk_modulus().is_none() {
+            return Err(Error::new("fracture needs a solid, and the equation of state is that of a gas").at(place));
+        }
+        Ok(())
+    }
+}
+
+/// The stress that acts, where `s` and `pressure` are those of undamaged matter: (1 - D) S - P_D 1, with P_D = (1 - D) P in
+/// tension and P in compression (Jutzi et al. 2008, eqs 36-37). The pair sums and their energy use this view.
+#[inline]
+pub fn damaged_stress(s: &Deviator, pressure: f64, damage: f64) -> Sym {
+    let intact = 1.0 - damage;
+    let damaged_pressure = if pressure < 0.0 { intact * pressure } else { pressure };
+    s.with_mean(intact, -damaged_pressure)
+}
+
+/// What the flaws of a body's particles have in common. Logarithms, as k V may be 1e61.
+#[derive(Debug, Clone, Copy)]
+struct Flaws {
+    seed: u64,
+    m: f64,
+    ln_kv: f64,
+    /// k V eps^m at which the process ends: the mean number of flaws.
+    mean: f64,
+    ln_mean: f64,
+}
+
+impl Flaws {
+    /// Flaws of particles of `volume`, m^3, of which the body has `particles`.
+    fn new(table: &FractureTable, volume: f64, particles: u64) -> Self {
+        let mean = libm::log(particles as f64) + EULER;
+        let ln_kv = libm::log(table.weibull_k.0) + libm::log(volume);
+        Self { seed: table.seed, m: table.weibull_m.0, ln_kv, mean, ln_mean: libm::log(mean) }
+    }
+
+    /// Strain at which the weakest flaw of a particle begins to grow.
+    fn weakest(&self, id: ParticleId) -> f64 {
+        let gamma = -libm::log(uniform_pair(self.seed, id.0, 0)[0]);
+        libm::exp((libm::log(gamma) - self.ln_kv) / self.m)
+    }
+
+    /// Flaws that are active at a strain above the weakest threshold, and all flaws of the particle.
+    fn count(&self, id: ParticleId, strain: f64) -> (u32, u32) {
+        let ln_intensity = self.ln_kv + self.m * libm::log(strain);
+        let intensity = if ln_intensity < self.ln_mean { libm::exp(ln_intensity) } else { self.mean };
+        // Gamma_j <= x where the product of the first j draws is at least exp(-x): no logarithm per flaw.
+        let (active_product, last_product) = (libm::exp(-intensity), libm::exp(-self.mean));
+        let (mut active, mut total, mut product, mut pair) = (0, 0, 1.0, 0);
+        'draws: loop {
+            for draw in uniform_pair(self.seed, id.0, pair) {
+                product *= draw;
+                if product < last_product {
+                    break 'draws;
+                }
+                total += 1;
+                active += u32::from(product >= active_product);
+            }
+            pair += 1;
+        }
+        (active.max(1), total.max(1))
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Brittle {
+    flaws: Flaws,
+    /// E_Y, Pa.
+    youngs_modulus: f64,
+    /// c_g / R_s, 1/s.
+    growth: f64,
+    initial_damage: f64,
+}
+
+impl Brittle {
+    fn new(setup: &Setup, body: usize, material: &MaterialTable) -> Option<Self> {
+        let (fracture, strength) = (material.fracture.as_ref()?, material.strength.as_ref()?);
+        let law = material.eos.law();
+        let (bulk, density, shear) = (law.bulk_modulus()?, law.reference_density()?, strength.shear_modulus.0);
+        let constants = &setup.constants[body];
+        // In 2D a particle stands for a cube: its flaws must not depend on the metre of depth that its mass refers to.
+        let volume = libm::pow(constants.particle_mass / constants.density, 3.0 / setup.dimension as f64);
+        let sound = ((bulk + 4.0 / 3.0 * shear) / density).sqrt();
+        Some(Self {
+            flaws: Flaws::new(fracture, volume, constants.particles),
+            youngs_modulus: 9.0 * bulk * shear / (3.0 * bulk + shear),
+            growth: CRACK_SPEED * sound / (2.0 * constants.smoothing_length),
+            initial_damage: setup.initial_damage[body],
+        })
+    }
+
+    /// Local strain of a particle with D < 1, or `None` where it cannot exceed `threshold`.
+    #[inline]
+    fn strain_above(&self, threshold: f64, stress: &Deviator, pressure: f64, intact: f64) -> Option<f64> {
+        // sigma_1 / (1 - D): the view scales S always but P only in tension.
+        let pressure = if pressure < 0.0 { pressure } else { pressure / intact };
+        let bearable = threshold * self.youngs_modulus;
+        // No principal value of S exceeds 2 sqrt(J2 / 3): most particles are done here.
+        let reach = 2.0 * (stress.j2() / 3.0).sqrt();
+        if reach - pressure <= bearable {
+            return None;
+        }
+        let sigma = largest_principal(stress) - pressure;
+        (sigma > bearable).then(|| sigma / self.youngs_modulus)
+    }
+
+    /// Damage after `dt` at a strain above the threshold.
+    fn grown(&self, id: ParticleId, damage: f64, strain: f64, dt: f64) -> f64 {
+        let (active, total) = self.flaws.count(id, strain);
+        let root = libm::cbrt(damage) + libm::cbrt(active as f64) * self.growth * dt;
+        (root * root * root).min(active as f64 / total as f64).max(damage)
+    }
+}
+
+/// Largest principal value of a traceless tensor: 2 sqrt(J2/3) cos(theta), cos(3 theta) = sqrt(27) J3 / (2 J2^(3/2)).
+#[inline]
+fn largest_principal(s: &Deviator) -> f64 {
+    let zz = s.zz();
+    let j3 = s.xx * (s.yy * zz - s.yz * s.yz) - s.xy * (s.xy * zz - s.yz * s.xz) + s.xz * (s.xy * s.yz - s.yy * s.xz);
+    let radius = (s.j2() / 3.0).sqrt();
+    let cube = radius * radius * radius;
+    if cube == 0.0 {
+        return 0.0;
+    }
+    let cosine = (0.5 * j3 / cube).clamp(-1.0, 1.0);
+    2.0 * radius * libm::cos(libm::acos(cosine) / 3.0)
+}
+
+/// Damage of the bodies that can break.
+pub struct Fracture {
+    bodies: PerBody<Brittle>,
+    id: Column<ParticleId>,
+    damage: Column<f64>,
+    threshold: Column<f64>,
+    stress: Column<Deviator>,
+    pressure: Column<f64>,
+}
+
+impl MaterialEffect for Fracture {
+    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Option<Self> {
+        let bodies = PerBody::new(setup, |body, material| Brittle::new(setup, body, material))?;
+        let stress = registry.find(strength::DEVIATORIC_STRESS)?;
+        let state = |name, about, snapshot| ColumnInfo { name, unit: "", about, life: Life::State, snapshot };
+        registry.owner("fracture");
+        let damage = registry.column(state(DAMAGE, "Damage, 0 intact to 1 broken.", true));
+        let threshold =
+            registry.column(state("activation_threshold", "Strain at which the weakest flaw begins to grow.", false));
+        Some(Self { bodies, id: core.id, damage, threshold, stress, pressure: core.pressure })
+    }
+
+    fn name(&self) -> &'static str {
+        "fracture"
+    }
+
+    fn initialise(&self, local: &Local) {
+        let (id, damage, threshold) = (local.view(self.id), local.view(self.damage), local.view(self.threshold));
+        for (brittle, range) in self.bodies.runs(local) {
+            for i in range {
+                damage.set(i, brittle.initial_damage);
+                threshold.set(i, brittle.flaws.weakest(id.get(i)));
+            }
+        }
+    }
+
+    fn update(&self, local: &Local) {
+        let (id, damage, threshold) = (local.view(self.id), local.view(self.damage), local.view(self.threshold));
+        let (stress, pressure) = (local.view(self.stress), local.view(self.pressure));
+        for (brittle, range) in self.bodies.runs(local) {
+            for i in range {
+                let d = damage.get(i);
+                let intact = 1.0 - d;
+                if intact <= 0.0 {
+                    continue;
+                }
+                let strain = brittle.strain_above(threshold.get(i), &stress.get(i), pressure.get(i), intact);
+                if let Some(strain) = strain {
+                    damage.set(i, brittle.grown(id.get(i), d, strain, local.dt));
+                }
+            }
+        }
+    }
+
+    fn diagnostics(&self) -> Vec<Diagnostic> {
+        vec![Diagnostic { name: "damaged_mass", unit: "kg" }]
+    }
+
+    fn diagnose(&self, columns: &Columns, i: usize, _body: usize, mass: f64, add: &mut dyn FnMut(usize, f64)) {
+        add(0, mass * columns.get(self.damage, i));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::{Rig, basalt, gas, without_fracture};
+    use super::*;
+    use crate::math::Mat3;
+    use crate::units::Quantity;
+
+    /// Flaws of one of `particles` of 1 mm^3, with the constants of Benz & Asphaug 1999.
+    fn flaws(particles: u64) -> Flaws {
+        Flaws::new(&basalt().fracture.unwrap(), 1e-9, particles)
+    }
+
+    fn total(flaws: &Flaws, site: u64) -> u32 {
+        flaws.count(ParticleId::new(0, site), 1.0).1
+    }
+
+    /// The total is a Poisson number of mean N (ln N + 0.577), plus the flaw given to the fraction exp(-mean) that draws
+    /// none: four standard deviations, far inside the 1.3 N by which the original assignment scatters.
+    #[test]
+    fn number_of_flaws_is_that_of_the_original_assignment() {
+        for n in [1000u64, 10_000] {
+            let flaws = flaws(n);
+            let sum: u64 = (0..n).map(|site| total(&flaws, site) as u64).sum();
+            let expected = n as f64 * flaws.mean;
+            assert!((sum as f64 - expected).abs() < 4.0 * expected.sqrt() + 2.0, "{n}: {sum} {expected}");
+            assert!((sum as f64 - expected).abs() < 1.3 * n as f64);
+        }
+    }
+
+    /// n(<eps) V = k V eps^m: the number of active flaws at a strain, again a Poisson number.
+    #[test]
+    fn active_flaws_follow_weibull() {
+        let n = 10_000;
+        let flaws = flaws(n);
+        for intensity in [0.5f64, 2.0, 5.0] {
+            let strain = libm::exp((libm::log(intensity) - flaws.ln_kv) / flaws.m);
+            let active: u64 = (0..n)
+                .map(|site| ParticleId::new(0, site))
+                .filter(|&id| flaws.weakest(id) < strain)
+                .map(|id| flaws.count(id, strain).0 as u64)
+                .sum();
+            let expected = n as f64 * intensity;
+            assert!((active as f64 - expected).abs() < 4.0 * expected.sqrt(), "{intensity}: {active}");
+        }
+    }
+
+    #[test]
+    fn draws_depend_on_seed_and_id_alone() {
+        let flaws = flaws(1000);
+        let draw = |site: u64| (flaws.weakest(ParticleId::new(0, site)).to_bits(), total(&flaws, site));
+        let forward: Vec<_> = (0..1000).map(draw).collect();
+        let mut backward: Vec<_> = (0..1000).rev().map(draw).collect();
+        backward.reverse();
+        assert_eq!(forward, backward);
+        let other = Flaws { seed: 4, ..flaws };
+        assert!((0..1000).any(|site| total(&other, site) != forward[site as usize].1));
+    }
+
+    /// Nakamura et al. 2007: m = 16 and k = 1e61, where k V overflows a float and eps^m underflows one.
+    #[test]
+    fn huge_weibull_numbers_stay_finite() {
+        let table =
+            FractureTable { weibull_k: Quantity(1e61), weibull_m: Quantity(16.0), ..basalt().fracture.unwrap() };
+        let flaws = Flaws::new(&table, 1e12, 100_000);
+        for site in 0..1000 {
+            let id = ParticleId::new(0, site);
+            let threshold = flaws.weakest(id);
+            assert!(threshold > 1e-6 && threshold < 1e-3, "{threshold:e}");
+            let mut last = 0;
+            for strain in [threshold * 1.0000001, 2.0 * threshold, 1e-2, 1.0, 1e30] {
+                let (active, total) = flaws.count(id, strain);
+                assert!(active >= last.max(1) && active <= total);
+                last = active;
+            }
+        }
+    }
+
+    #[test]
+    fn a_body_of_one_particle_has_a_flaw() {
+        let flaws = flaws(1);
+        assert!((0..1000).all(|site| total(&flaws, site) >= 1));
+        assert!((0..1000).any(|site| total(&flaws, site) == 1));
+    }
+
+    #[test]
+    fn largest_principal_value_agrees_with_rotations() {
+        for k in 0..200 {
+            let at = |j: u64| uniform_pair(1, k, j)[0] - 0.5;
+            let s = Deviator { xx: at(0), yy: at(1), xy: at(2), xz: at(3), yz: at(4) };
+            let exact = s.with_mean(1.0, 0.0).largest_principal();
+            // Where two values meet, acos loses half of the digits.
+            assert!((largest_principal(&s) - exact).abs() < 1e-8, "{s:?}");
+        }
+        assert_eq!(largest_principal(&Deviator::default()), 0.0);
+        assert_eq!(largest_principal(&Deviator { xx: 2.0, yy: -1.0, ..Default::default() }), 2.0);
+    }
+
+    /// What damage leaves: all of it at D = 0, compression alone at D = 1.
+    #[test]
+    fn broken_matter_cannot_pull() {
+        let s = Deviator { xx: 3.0, yy: -1.0, xy: 0.5, xz: 0.2, yz: -0.7 };
+        assert_eq!(damaged_stress(&s, -5.0, 1.0), Sym::ZERO);
+        assert_eq!(damaged_stress(&s, 5.0, 1.0), Sym { xx: -5.0, yy: -5.0, zz: -5.0, ..Sym::ZERO });
+        assert_eq!(damaged_stress(&s, 5.0, 0.0), s.with_mean(1.0, -5.0));
+        assert_eq!(damaged_stress(&s, -4.0, 0.5), s.with_mean(0.5, 2.0));
+    }
+
+    fn brittle() -> Brittle {
+        let flaws = flaws(1);
+        Brittle { flaws, youngs_modulus: 5e10, growth: 2.0, initial_damage: 0.0 }
+    }
+
+    /// One flaw: D = (c_g t / R_s)^3, up to 1 and no further.
+    #[test]
+    fn a_single_flaw_grows_at_the_speed_of_a_crack() {
+        let brittle = brittle();
+        let site = (0..).find(|&site| total(&brittle.flaws, site) == 1).unwrap();
+        let id = ParticleId::new(0, site);
+        let mut damage = 0.0;
+        for step in 1..=60 {
+            damage = brittle.grown(id, damage, 1.0, 0.01);
+            let expected = (2.0 * 0.01 * f64::from(step)).min(1.0);
+            assert!((libm::cbrt(damage) - expected).abs() < 1e-13, "{step} {damage}");
+        }
+        assert_eq!(damage, 1.0);
+    }
+
+    /// n flaws grow n^(1/3) times as fast, up to n_act / n_tot; damage above that stays.
+    #[test]
+    fn active_flaws_bound_damage() {
+        let brittle = Brittle { flaws: flaws(10_000), ..brittle() };
+        let id = ParticleId::new(0, 5);
+        let strain = (1..)
+            .map(|step| f64::from(step) * 1e-5)
+            .find(|&strain| strain > brittle.flaws.weakest(id) && brittle.flaws.count(id, strain).0 == 3)
+            .unwrap();
+        let bound = 3.0 / f64::from(brittle.flaws.count(id, strain).1);
+        let first = brittle.grown(id, 0.0, strain, 1e-3);
+        assert!((first / (3.0 * 2e-3f64.powi(3)) - 1.0).abs() < 1e-13);
+        assert_eq!(brittle.grown(id, 0.0, strain, 1e3), bound);
+        assert_eq!(brittle.grown(id, 0.99, strain, 1e3), 0.99);
+    }
+
+    /// The local strain is that of the damaged stress over 1 - D, whichever way it is computed.
+    #[test]
+    fn strain_is_that_of_the_undamaged_part() {
+        let brittle = brittle();
+        let s = Deviator { xx: 3e8, yy: -1e8, xy: 0.5e8, xz: 0.2e8, yz: -0.7e8 };
+        for pressure in [-2e8, 1e8] {
+            for damage in [0.0, 0.4, 0.5] {
+                let sigma = damaged_stress(&s, pressure, damage).largest_principal();
+                let strain = brittle.strain_above(0.0, &s, pressure, 1.0 - damage).unwrap();
+                assert!((strain * (1.0 - damage) * brittle.youngs_modulus / sigma - 1.0).abs() < 1e-12);
+                assert_eq!(brittle.strain_above(1.0001 * strain, &s, pressure, 1.0 - damage), None);
+            }
+        }
+        assert_eq!(brittle.strain_above(0.0, &s, 1e9, 1.0), None);
+    }
+
+    /// Uniaxial stretching to 0.2 % and back, three times: damage only grows, and only while stretched.
+    #[test]
+    fn damage_never_decreases() {
+        let mut rig = Rig::new(basalt());
+        let damage = rig.column::<f64>(DAMAGE);
+        let mut gradient = Mat3::zeros();
+        let (mut last, mut rises) = (0.0, 0);
+        for step in 0..600 {
+            gradient[(0, 0)] = if step / 100 % 2 == 0 { 0.2 } else { -0.2 };
+            rig.step(&gradient, 1e-4);
+            let now = rig.get(damage);
+            assert!((last..=1.0).contains(&now));
+            rises += u32::from(now > last);
+            last = now;
+        }
+        assert!(rises > 10 && last > 0.0, "{rises} {last}");
+    }
+
+    #[test]
+    fn damage_starts_as_the_scene_says() {
+        let rig = Rig::with_records(vec![basalt(), gas()], Default::default(), 0.25);
+        assert_eq!(rig.get_of(0, rig.column::<f64>(DAMAGE)), 0.25);
+        assert!(rig.get_of(0, rig.column::<f64>("activation_threshold")) > 0.0);
+        assert_eq!(rig.get_of(1, rig.column::<f64>(DAMAGE)), 0.0, "a gas does not break");
+    }
+
+    #[test]
+    fn fracture_needs_a_solid_with_strength() {
+        assert!(basalt().validate("material.basalt").is_ok());
+        let soft = MaterialTable { strength: None, ..basalt() };
+        assert!(soft.validate("material.basalt").unwrap_err().what.contains("needs strength"));
+        let thin = MaterialTable { eos: gas().eos, ..basalt() };
+        assert!(thin.validate("material.basalt").unwrap_err().what.contains("gas"));
+    }
+
+    #[test]
+    fn a_scene_without_fracture_has_no_column_of_it() {
+        let rig = Rig::new(without_fracture(basalt()));
+        assert!(rig.columns.registry.find::<f64>(DAMAGE).is_none());
+        let gas = Rig::new(gas());
+        assert_eq!(gas.columns.registry.integrated.len(), 2, "density and energy");
+    }
+}

@@ -1,0 +1,177 @@
+//! A rig for tests: one particle per body, driven by a given velocity gradient with the predictor-corrector of the step loop.
+
+use std::cell::Cell;
+
+use super::{BodyConstants, Core, Local, MaterialEffect, MaterialTable, Motion, Records, Setup, StepLimit, effects};
+use super::{fracture, strength};
+use crate::math::{Deviator, Mat3};
+use crate::particles::chunk::{CHUNK, Chunks};
+use crate::particles::{Column, Columns, Element, ParticleId, Registry};
+
+/// Benz & Asphaug 1999 (REFERENCE 2.1, 2.2).
+pub fn basalt() -> MaterialTable {
+    toml::from_str(
+        r#"
+        eos = { tillotson = { rho_0 = 2700, a = 0.5, b = 1.5, A = "26.7 GPa", B = "26.7 GPa", E_0 = 487e6, E_iv = 4.72e6,
+            E_cv = 18.2e6, alpha = 5, beta = 5 } }
+        [strength]
+        yield = "von_mises"
+        shear_modulus = "22.7 GPa"
+        yield_strength = "3.5 GPa"
+        melting = { energy = 3.4e6 }
+        [fracture]
+        model = "grady_kipp"
+        weibull_k = "4.0e35 m^-3"
+        weibull_m = 9
+        "#,
+    )
+    .unwrap()
+}
+
+/// A material whose B is more than twice its A.
+pub fn nylon() -> MaterialTable {
+    toml::from_str(
+        r#"eos = { tillotson = { rho_0 = 1185, a = 0.6, b = 2, A = "10.1 GPa", B = "33.8 GPa", E_0 = 7e6, E_iv = 2e6,
+            E_cv = 2.4e6, alpha = 10, beta = 5 } }"#,
+    )
+    .unwrap()
+}
+
+pub fn gas() -> MaterialTable {
+    toml::from_str("eos = { ideal_gas = { gamma = 1.4 } }").unwrap()
+}
+
+pub fn without_fracture(material: MaterialTable) -> MaterialTable {
+    MaterialTable { fracture: None, ..material }
+}
+
+pub struct Rig {
+    pub core: Core,
+    pub columns: Columns,
+    pub effects: Vec<Box<dyn MaterialEffect>>,
+    constants: Vec<BodyConstants>,
+    bodies: Vec<u16>,
+}
+
+impl Rig {
+    /// One body, one particle of 1 m^3 with h = 1.2 m.
+    pub fn new(material: MaterialTable) -> Self {
+        Self::with_materials(vec![material])
+    }
+
+    /// One body of each material.
+    pub fn with_materials(materials: Vec<MaterialTable>) -> Self {
+        Self::with_records(materials, Records::default(), 0.0)
+    }
+
+    pub fn with_records(materials: Vec<MaterialTable>, records: Records, initial_damage: f64) -> Self {
+        let count = materials.len();
+        let constants: Vec<_> = materials
+            .iter()
+            .map(|material| {
+                let density = material.reference_density().unwrap_or(1.0);
+                BodyConstants { particle_mass: density, smoothing_length: 1.2, particles: 1, density }
+            })
+            .collect();
+        let body_material: Vec<_> = (0..count).collect();
+        let initial_damage = vec![initial_damage; count];
+        let setup = Setup {
+            dimension: 3,
+            materials: &materials,
+            body_material: &body_material,
+            constants: &constants,
+            initial_damage: &initial_damage,
+            records,
+        };
+        let mut registry = Registry::new(3);
+        let (core, effects) = effects(&setup, &mut registry);
+        let mut columns = Columns::new(registry);
+        columns.resize(count);
+        for body in 0..count {
+            columns.set(core.id, body, ParticleId::new(body, 0));
+        }
+        let bodies = (0..count as u16).collect();
+        let mut rig = Self { core, columns, effects, constants, bodies };
+        rig.each(0.0, &[], |effect, local| effect.initialise(local));
+        rig
+    }
+
+    pub fn column<T: Element>(&self, name: &str) -> Column<T> {
+        self.columns.registry.find(name).unwrap()
+    }
+
+    pub fn get<T: Element>(&self, column: Column<T>) -> T {
+        self.columns.get(column, 0)
+    }
+
+    pub fn get_of<T: Element>(&self, body: usize, column: Column<T>) -> T {
+        self.columns.get(column, body)
+    }
+
+    pub fn set<T: Element>(&mut self, column: Column<T>, value: T) {
+        self.columns.set(column, 0, value);
+    }
+
+    /// Calls `act` for every effect in order; `update` and `initialise` need no motion.
+    pub fn each(&mut self, dt: f64, motion: &[Motion], mut act: impl FnMut(&dyn MaterialEffect, &Local)) {
+        let new_rates: Vec<Vec<Cell<u64>>> = self
+            .columns
+            .registry
+            .integrated
+            .iter()
+            .map(|&(value, _)| vec![Cell::new(0); CHUNK * self.columns.width(value)])
+            .collect();
+        let integrated = self.columns.registry.integrated.clone();
+        let len = self.columns.len();
+        let chunks = Chunks::new(&mut self.columns, Vec::new());
+        // SAFETY: the only chunk.
+        let chunk = unsafe { chunks.chunk(0..len) };
+        let (bodies, constants) = (&self.bodies, &self.constants);
+        let local = Local { chunk: &chunk, bodies, constants, motion, new_rates: &new_rates, dt };
+        for effect in &self.effects {
+            act(effect.as_ref(), &local);
+        }
+        if motion.is_empty() {
+            return;
+        }
+        // The corrector: the mean of the old and the new rate replaces the old one.
+        for (&(value, rate), new) in integrated.iter().zip(&new_rates) {
+            for ((value, rate), new) in chunk.words(value).iter().zip(chunk.words(rate)).zip(new) {
+                let change = f64::from_bits(new.get()) - f64::from_bits(rate.get());
+                value.set((f64::from_bits(value.get()) + 0.5 * dt * change).to_bits());
+                rate.set(new.get());
+            }
+        }
+    }
+
+    /// One step of `dt` in which every particle moves with `gradient`; the smallest step limit.
+    pub fn step(&mut self, gradient: &Mat3, dt: f64) -> Option<StepLimit> {
+        for (value, rate) in self.columns.registry.integrated.clone() {
+            let rates = self.columns.numbers(rate).to_vec();
+            for (word, rate) in self.columns.words_mut(value).iter_mut().zip(rates) {
+                *word = (f64::from_bits(*word) + rate * dt).to_bits();
+            }
+        }
+        self.each(dt, &[], |effect, local| effect.admit(local));
+        self.each(dt, &[], |effect, local| effect.update(local));
+        let motion: Vec<_> = (0..self.columns.len())
+            .map(|i| Motion { velocity_gradient: *gradient, heating: self.heating(i, gradient) })
+            .collect();
+        let mut limits = Vec::new();
+        self.each(dt, &motion, |effect, local| {
+            effect.rates(local);
+            limits.extend(effect.step_limit(local));
+        });
+        self.each(dt, &[], |effect, local| effect.admit(local));
+        limits.into_iter().min_by(|a, b| a.dt.total_cmp(&b.dt))
+    }
+
+    /// sigma : L / rho.
+    fn heating(&self, i: usize, gradient: &Mat3) -> f64 {
+        let registry = &self.columns.registry;
+        let at = |name| registry.find(name).map_or(0.0, |column| self.columns.get(column, i));
+        let stress = registry.find(strength::DEVIATORIC_STRESS).map_or(Deviator::default(), |s| self.columns.get(s, i));
+        let sigma = fracture::damaged_stress(&stress, self.columns.get(self.core.pressure, i), at(fracture::DAMAGE));
+        sigma.to_matrix().dot(gradient) / self.columns.get(self.core.density.value, i)
+    }
+}
