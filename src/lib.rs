@@ -1,7 +1,9 @@
+pub mod cli;
 pub mod domain;
 pub mod error;
 pub mod material;
 pub mod math;
 pub mod particles;
 pub mod random;
+pub mod scene;
 pub mod units;
