@@ -1,0 +1,379 @@
+//! Bodies: a shape of one material on a lattice, with what its particles start with.
+
+use std::ops::Range;
+
+use serde::{Deserialize, Serialize};
+
+use super::lattice::{Lattice, LatticeKind, Rotation, random_rotation, rotation_about};
+use super::raw::{Components, RawBody, RawOrientation, RawShape, Spacing};
+use super::shape::Shape;
+use super::source::Document;
+use crate::error::{Error, Result};
+use crate::material::eos::EosTable;
+use crate::material::{BodyConstants, MaterialTable};
+use crate::units::{Angle, Density, Frequency, Length, Number, Quantity, SpecificEnergy, Speed};
+
+/// A validated body, SI units.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Body {
+    pub name: String,
+    pub shape: Shape,
+    pub dimension: usize,
+    /// Index into the scene's materials.
+    pub material: usize,
+    pub lattice: Lattice,
+    /// Where the shape's centre is, m.
+    pub centre: [f64; 3],
+    /// Velocity of the centre, m/s.
+    pub velocity: [f64; 3],
+    /// Angular velocity about the centre, rad/s; along z in 2D.
+    pub spin: [f64; 3],
+    /// Damage at the start, 0 to 1.
+    pub damage: f64,
+    /// Specific internal energy at the start, J/kg.
+    pub internal_energy: f64,
+    /// Density at the start, kg/m^3.
+    pub density: f64,
+}
+
+impl Body {
+    /// Exact volume of the shape, m^3 (in 2D m^2, per metre of depth).
+    pub fn volume(&self) -> f64 {
+        self.shape.volume(self.dimension)
+    }
+
+    /// Exact mass of the shape, kg (per metre of depth in 2D).
+    pub fn mass(&self) -> f64 {
+        self.density * self.volume()
+    }
+
+    pub fn contains(&self, point: [f64; 3]) -> bool {
+        self.shape.contains(std::array::from_fn(|k| point[k] - self.centre[k]), self.dimension)
+    }
+
+    /// Velocity at the start of a particle at `point`, m/s.
+    pub fn velocity_at(&self, point: [f64; 3]) -> [f64; 3] {
+        let r: [f64; 3] = std::array::from_fn(|k| point[k] - self.centre[k]);
+        let [wx, wy, wz] = self.spin;
+        let turning = [wy * r[2] - wz * r[1], wz * r[0] - wx * r[2], wx * r[1] - wy * r[0]];
+        std::array::from_fn(|k| self.velocity[k] + turning[k])
+    }
+
+    /// Lattice sites are numbered below this; those inside the shape are its particles.
+    pub fn lattice_sites(&self) -> u64 {
+        self.lattice.sites()
+    }
+
+    /// The sites of `range` that lie inside, with their positions: the same bits whoever asks.
+    pub fn sites(&self, range: Range<u64>) -> impl Iterator<Item = (u64, [f64; 3])> + '_ {
+        range.filter_map(|site| {
+            let local = self.lattice.position(site);
+            let inside = self.shape.contains(local, self.dimension);
+            inside.then(|| (site, std::array::from_fn(|k| self.centre[k] + local[k])))
+        })
+    }
+
+    /// Particles among the sites of `range`.
+    pub fn count(&self, range: Range<u64>) -> u64 {
+        range.filter(|site| self.shape.contains(self.lattice.position(*site), self.dimension)).count() as u64
+    }
+
+    /// Particles as expected from the volume; the true number differs at the surface.
+    pub fn expected_particles(&self) -> f64 {
+        self.volume() / self.lattice.cell_volume()
+    }
+
+    /// What all particles share, once their number is known; `eta` is h over (m / rho)^(1/d).
+    pub fn constants(&self, particles: u64, eta: f64) -> BodyConstants {
+        let particle_mass = self.mass() / particles as f64;
+        let smoothing_length = eta * root(particle_mass / self.density, self.dimension);
+        BodyConstants { particle_mass, smoothing_length, particles, density: self.density }
+    }
+
+    /// Smoothing length as expected from the lattice, before particles are counted, m.
+    pub fn expected_smoothing_length(&self, eta: f64) -> f64 {
+        eta * root(self.lattice.cell_volume(), self.dimension)
+    }
+}
+
+/// The d-th root.
+fn root(volume: f64, dimension: usize) -> f64 {
+    if dimension == 2 { volume.sqrt() } else { libm::cbrt(volume) }
+}
+
+/// Validates one body and fills in its defaults. Its key path is `path` (`body.0`).
+pub struct Reader<'a> {
+    pub document: &'a Document<'a>,
+    pub path: String,
+    pub dimension: usize,
+    /// Spacing that "target" stands for, m.
+    pub target_spacing: Option<f64>,
+    /// Whether [impact] places and moves this body; then it cannot do so itself.
+    pub placed: bool,
+}
+
+/// Bodies of up to this many lattice sites are counted when read; larger ones are close to their expected number.
+const COUNTED: u64 = 400_000;
+/// The least number of particles of a projectile whose spacing follows the target's.
+const COARSEST_PROJECTILE: u64 = 100;
+
+impl Reader<'_> {
+    pub fn read(&self, raw: &mut RawBody, material: (usize, &MaterialTable)) -> Result<Body> {
+        let shape = self.shape(&raw.shape)?;
+        let (density, internal_energy) = self.thermal_state(raw, material.1)?;
+        let rotation = self.rotation(raw)?;
+        let lattice = self.lattice(raw, &shape, rotation)?;
+        let zero = |n: usize| vec![0.0; n];
+        if !self.placed {
+            raw.position.get_or_insert_with(|| Components(zero(self.dimension).into_iter().map(Length::new).collect()));
+            raw.velocity.get_or_insert_with(|| Components(zero(self.dimension).into_iter().map(Speed::new).collect()));
+        }
+        let turns = if self.dimension == 2 { 1 } else { 3 };
+        let spin = raw.spin.get_or_insert_with(|| Components(zero(turns).into_iter().map(Frequency::new).collect()));
+        let spin = match (self.dimension, &spin.0[..]) {
+            (2, [about_z]) => [0.0, 0.0, about_z.0],
+            (3, [x, y, z]) => [x.0, y.0, z.0],
+            (2, _) => return Err(self.error("spin", "a spin in 2D is one number, about z")),
+            _ => return Err(self.error("spin", "a spin has three components")),
+        };
+        let body = Body {
+            name: raw.name.clone(),
+            shape,
+            dimension: self.dimension,
+            material: material.0,
+            lattice,
+            centre: self.vector("position", &raw.position)?,
+            velocity: self.vector("velocity", &raw.velocity)?,
+            spin,
+            damage: self.damage(raw, material.1)?,
+            internal_energy,
+            density,
+        };
+        let sites = body.lattice_sites();
+        if sites <= COUNTED && body.count(0..sites) == 0 {
+            let what = format!("no particle fits into the body at a spacing of {}", Length::new(body.lattice.spacing));
+            return Err(self.error("spacing", what).allowed("a smaller spacing, or a number of particles"));
+        }
+        Ok(body)
+    }
+
+    fn error(&self, key: &str, what: impl Into<String>) -> Error {
+        self.document.error(&format!("{}.{key}", self.path), what)
+    }
+
+    fn positive<const L: i8, const M: i8, const T: i8>(&self, key: &str, value: Quantity<L, M, T>) -> Result<f64> {
+        if value.0 > 0.0 {
+            return Ok(value.0);
+        }
+        let name = key.rsplit('.').next().unwrap_or(key);
+        Err(self.error(key, format!("{name} is {value}")).allowed("more than 0"))
+    }
+
+    fn shape(&self, raw: &RawShape) -> Result<Shape> {
+        match raw {
+            RawShape::Sphere(ball) => Ok(Shape::Sphere { radius: self.positive("shape.sphere.radius", ball.radius)? }),
+            RawShape::HalfSphere(ball) => {
+                Ok(Shape::HalfSphere { radius: self.positive("shape.half_sphere.radius", ball.radius)? })
+            }
+            RawShape::Cylinder(_) if self.dimension == 2 => {
+                Err(self.error("shape.cylinder", "a cylinder needs three dimensions").allowed("sphere, box, half_sphere"))
+            }
+            RawShape::Cylinder(cylinder) => Ok(Shape::Cylinder {
+                radius: self.positive("shape.cylinder.radius", cylinder.radius)?,
+                height: self.positive("shape.cylinder.height", cylinder.height)?,
+            }),
+            RawShape::Box(edges) => {
+                let size = self.components("shape.box.size", &edges.size)?;
+                for edge in &edges.size.0 {
+                    self.positive("shape.box.size", *edge)?;
+                }
+                Ok(Shape::Box { size })
+            }
+        }
+    }
+
+    fn vector<const L: i8, const M: i8, const T: i8>(
+        &self,
+        key: &str,
+        given: &Option<Components<Quantity<L, M, T>>>,
+    ) -> Result<[f64; 3]> {
+        match given {
+            None => Ok([0.0; 3]),
+            Some(_) if self.placed => Err(self.error(key, format!("the {key} of this body follows from [impact]"))),
+            Some(components) => self.components(key, components),
+        }
+    }
+
+    fn components<const L: i8, const M: i8, const T: i8>(
+        &self,
+        key: &str,
+        components: &Components<Quantity<L, M, T>>,
+    ) -> Result<[f64; 3]> {
+        let given = components.0.len();
+        if given != self.dimension {
+            let what = format!("{given} component{} in {} dimensions", if given == 1 { "" } else { "s" }, self.dimension);
+            return Err(self.error(key, what).allowed(format!("{} components", self.dimension)));
+        }
+        let mut vector = [0.0; 3];
+        vector.iter_mut().zip(&components.0).for_each(|(v, c)| *v = c.0);
+        Ok(vector)
+    }
+
+    fn damage(&self, raw: &mut RawBody, material: &MaterialTable) -> Result<f64> {
+        match raw.damage {
+            None if material.has_fracture() => raw.damage = Some(Number::new(0.0)),
+            None => {}
+            Some(damage) if !(0.0..=1.0).contains(&damage.0) => {
+                return Err(self.error("damage", format!("damage is {damage}")).allowed("0 to 1"));
+            }
+            Some(_) if !material.has_fracture() => {
+                let what = format!("material `{}` has no fracture, so there is no damage", raw.material);
+                return Err(self.error("damage", what).allowed(format!("a table [material.{}.fracture]", raw.material)));
+            }
+            Some(_) => {}
+        }
+        Ok(raw.damage.map_or(0.0, |damage| damage.0))
+    }
+
+    /// Density and specific internal energy.
+    fn thermal_state(&self, raw: &mut RawBody, material: &MaterialTable) -> Result<(f64, f64)> {
+        let reference = material.reference_density().map(Density::new);
+        let Some(density) = raw.density.or(reference) else {
+            return Err(self.error("density", "key `density` is missing: a gas has no density of its own"));
+        };
+        let rho = self.positive("density", density)?;
+        raw.density = Some(density);
+        let energy = match (raw.pressure, raw.internal_energy, &material.eos) {
+            (None, energy, _) => {
+                let energy = *raw.internal_energy.insert(energy.unwrap_or_default());
+                if energy.0 < 0.0 {
+                    let what = format!("internal_energy is {}", SpecificEnergy::new(energy.0));
+                    return Err(self.error("internal_energy", what).allowed("0 or more"));
+                }
+                energy.0
+            }
+            (Some(_), Some(_), _) => {
+                return Err(self.error("pressure", "both pressure and internal_energy are given").allowed("one of them"));
+            }
+            (Some(pressure), None, EosTable::IdealGas(gas)) => {
+                self.positive("pressure", pressure)?;
+                let gamma = gas.gamma.0;
+                pressure.0 / ((gamma - 1.0) * rho)
+            }
+            (Some(_), None, _) => {
+                let what = "only an ideal gas starts from a pressure";
+                return Err(self.error("pressure", what).allowed("density and internal_energy"));
+            }
+        };
+        Ok((rho, energy))
+    }
+
+    fn rotation(&self, raw: &mut RawBody) -> Result<Rotation> {
+        let upright = || Components([0.0, 0.0, 1.0].map(Number::new).to_vec());
+        let given = raw.orientation.get_or_insert_with(|| RawOrientation {
+            seed: None,
+            axis: (self.dimension == 3).then(upright),
+            angle: Some(Angle(0.0)),
+        });
+        let about = |axis, angle: Angle| Ok(rotation_about(axis, angle.0));
+        match (given.seed, &given.axis, given.angle, self.dimension) {
+            (Some(seed), None, None, dimension) => Ok(random_rotation(seed, dimension)),
+            (None, None, Some(angle), 2) => about([0.0, 0.0, 1.0], angle),
+            (None, Some(axis), Some(angle), 3) => {
+                let axis = self.components("orientation.axis", axis)?;
+                if axis == [0.0; 3] {
+                    return Err(self.error("orientation.axis", "the axis has no length"));
+                }
+                about(axis, angle)
+            }
+            (_, _, _, 2) => Err(self.error("orientation", "unclear").allowed("{ seed = 3 } or { angle = \"30 deg\" }")),
+            _ => {
+                let allowed = "{ seed = 3 } or { axis = [0, 0, 1], angle = \"30 deg\" }";
+                Err(self.error("orientation", "unclear").allowed(allowed))
+            }
+        }
+    }
+
+    fn lattice(&self, raw: &mut RawBody, shape: &Shape, rotation: Rotation) -> Result<Lattice> {
+        if raw.particles.is_none() && raw.spacing.is_none() && self.target_spacing.is_some() {
+            raw.spacing = Some(Spacing::OfTarget);
+        }
+        let filling = Filling { kind: raw.lattice, rotation, shape, dimension: self.dimension };
+        let lattice = match (raw.particles, raw.spacing) {
+            (Some(_), Some(_)) => {
+                return Err(self.error("particles", "both particles and spacing are given").allowed("one of them"));
+            }
+            (None, None) => {
+                return Err(self.error("particles", "the body has no particles").allowed("particles = 20000 or spacing = \"2 km\""));
+            }
+            (Some(0), None) => return Err(self.error("particles", "particles is 0").allowed("1 or more")),
+            (Some(particles), None) => filling.with_particles(particles),
+            (None, Some(Spacing::Given(spacing))) => filling.lattice(self.positive("spacing", spacing)?),
+            (None, Some(Spacing::OfTarget)) => match self.target_spacing {
+                Some(spacing) => filling.at_least(COARSEST_PROJECTILE, spacing),
+                None => {
+                    let what = "only the projectile of an [impact] follows the target's spacing";
+                    return Err(self.error("spacing", what).allowed("a length"));
+                }
+            },
+        };
+        lattice.map_err(|e| e.at(self.document.place(&format!("{}.spacing", self.path))))
+    }
+}
+
+/// A shape to be filled with a lattice.
+struct Filling<'a> {
+    kind: LatticeKind,
+    rotation: Rotation,
+    shape: &'a Shape,
+    dimension: usize,
+}
+
+impl Filling<'_> {
+    fn lattice(&self, spacing: f64) -> Result<Lattice> {
+        Lattice::covering(self.kind, spacing, self.rotation, self.shape.bounds(self.dimension))
+    }
+
+    fn spacing_of(&self, particles: f64) -> f64 {
+        self.kind.spacing_of_cell(self.shape.volume(self.dimension) / particles, self.dimension)
+    }
+
+    fn count(&self, lattice: &Lattice) -> u64 {
+        (0..lattice.sites()).filter(|site| self.shape.contains(lattice.position(*site), self.dimension)).count() as u64
+    }
+
+    /// The spacing follows from the volume; flat faces can hold a row more or less than that, so spacings near it are tried
+    /// until the number is within one per cent.
+    fn with_particles(&self, particles: u64) -> Result<Lattice> {
+        let expected = self.spacing_of(particles as f64);
+        let mut best = self.lattice(expected)?;
+        if best.sites() > COUNTED {
+            return Ok(best);
+        }
+        let mut least = self.count(&best).abs_diff(particles);
+        for trial in 2..=60 {
+            if 100 * least <= particles {
+                break;
+            }
+            let side = if trial % 2 == 0 { 1.0 } else { -1.0 };
+            let lattice = self.lattice(expected * (1.0 + side * 0.002 * (trial / 2) as f64))?;
+            let off = self.count(&lattice).abs_diff(particles);
+            if off < least {
+                (best, least) = (lattice, off);
+            }
+        }
+        Ok(best)
+    }
+
+    /// The given spacing, or finer until there are `particles`.
+    fn at_least(&self, particles: u64, spacing: f64) -> Result<Lattice> {
+        let mut spacing = spacing.min(self.spacing_of(particles as f64));
+        loop {
+            let lattice = self.lattice(spacing)?;
+            if lattice.sites() > COUNTED || self.count(&lattice) >= particles {
+                return Ok(lattice);
+            }
+            spacing *= 0.99;
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! Impact geometry. The target rests where the scene puts it; the projectile starts with one kernel support between the
+//! surfaces.
+//!
+//! On a sphere the projectile flies along -x, displaced along +y by sin(angle) (R_t + R_p): at contact its velocity makes
+//! `angle` with the line of centres. On a flat target (box, cylinder, half sphere) it comes down on the middle of the
+//! upper face (+z, in 2D +y) and flies towards -x, `angle` from the normal.
+
+use serde::{Deserialize, Serialize};
+
+use super::body::Body;
+use super::lattice::Bounds;
+use super::raw::{RawBody, RawImpact};
+use super::shape::Shape;
+use super::source::Document;
+use crate::error::{Error, Result};
+use crate::units::{Angle, Speed};
+
+/// A validated impact.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Impact {
+    /// Indices of the bodies.
+    pub target: usize,
+    pub projectile: usize,
+    /// Speed at contact, m/s.
+    pub speed: f64,
+    /// From the normal, rad.
+    pub angle: f64,
+}
+
+impl Impact {
+    /// Finds the bodies, which default to the first and the second, and writes their names into `raw`.
+    pub fn read(document: &Document, raw: &mut RawImpact, bodies: &[RawBody]) -> Result<Self> {
+        if bodies.len() < 2 {
+            return Err(document.error("impact", "an impact needs two bodies, a target and a projectile"));
+        }
+        let find = |key: &str, name: &mut Option<String>, default: usize| {
+            let name = name.get_or_insert_with(|| bodies[default].name.clone());
+            bodies.iter().position(|b| b.name == *name).ok_or_else(|| {
+                let known: Vec<String> = bodies.iter().map(|b| b.name.clone()).collect();
+                super::keys::unknown(document, &format!("impact.{key}"), "body", name, &known)
+            })
+        };
+        let target = find("target", &mut raw.target, 0)?;
+        let projectile = find("projectile", &mut raw.projectile, if target == 1 { 0 } else { 1 })?;
+        if target == projectile {
+            return Err(document.error("impact.projectile", "target and projectile are the same body"));
+        }
+        if raw.speed.0 <= 0.0 {
+            let what = format!("speed is {}", Speed::new(raw.speed.0));
+            return Err(document.error("impact.speed", what).allowed("more than 0"));
+        }
+        if !(0.0..0.5 * std::f64::consts::PI).contains(&raw.angle.0) {
+            let what = format!("angle is {}", Angle(raw.angle.0));
+            return Err(document.error("impact.angle", what).allowed("from 0 (head-on) to below 90 deg"));
+        }
+        Ok(Self { target, projectile, speed: raw.speed.0, angle: raw.angle.0 })
+    }
+
+    /// Centre and velocity of the projectile, `gap` (m) between the surfaces.
+    pub fn place(&self, target: &Body, projectile: &Body, gap: f64) -> Result<([f64; 3], [f64; 3])> {
+        let (s, c) = (libm::sin(self.angle), libm::cos(self.angle));
+        match (target.shape, projectile.shape) {
+            (Shape::Sphere { radius: r_t }, Shape::Sphere { radius: r_p }) => {
+                let contact = r_t + r_p;
+                let y = s * contact;
+                let x = ((contact + gap) * (contact + gap) - y * y).sqrt();
+                let [tx, ty, tz] = target.centre;
+                Ok(([tx + x, ty + y, tz], [-self.speed, 0.0, 0.0]))
+            }
+            (Shape::Sphere { .. }, _) => {
+                Err(Error::new("onto a sphere only a sphere can fall").allowed("a projectile with shape sphere"))
+            }
+            _ => {
+                let up = target.dimension - 1;
+                let top = |b: Bounds| b.middle[up] + b.half[up];
+                let bottom = |b: Bounds| b.middle[up] - b.half[up];
+                let height = top(target.shape.bounds(target.dimension)) - bottom(projectile.shape.bounds(target.dimension));
+                let (mut centre, mut velocity) = (target.centre, [0.0; 3]);
+                centre[0] += gap * s / c;
+                centre[up] += height + gap;
+                velocity[0] = -self.speed * s;
+                velocity[up] = -self.speed * c;
+                Ok((centre, velocity))
+            }
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! Scenes: a TOML file is read into raw tables, completed from the material library and the defaults, and validated into a
+//! [`Scene`]. Reading is pure and needs one process; a scene can be sent as bytes (serde) with every number's bits.
+
+pub mod body;
+pub mod impact;
+mod keys;
+pub mod lattice;
+mod materials;
+pub mod numerics;
+mod raw;
+pub mod settings;
+pub mod shape;
+pub mod source;
+#[cfg(test)]
+mod tests;
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::{Error, Result};
+use crate::material::{MaterialTable, Records};
+pub use body::Body;
+pub use impact::Impact;
+pub use numerics::{ArtificialStress, KernelKind, Numerics, SmoothingLength};
+use raw::RawScene;
+pub use settings::{Output, Precision, Run, Threshold, Until};
+pub use shape::Shape;
+use source::{Document, Source};
+
+/// A validated scene; all numbers in SI.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Scene {
+    pub title: String,
+    /// 2 or 3.
+    pub dimension: usize,
+    pub bodies: Vec<Body>,
+    pub materials: Vec<MaterialTable>,
+    pub material_names: Vec<String>,
+    pub impact: Option<Impact>,
+    pub numerics: Numerics,
+    pub run: Run,
+    pub output: Output,
+    pub record: Records,
+    pub threshold: Option<Threshold>,
+    understood: String,
+    source: Source,
+}
+
+/// Reads a scene from a file. `overrides` are `key=value`, as after `--set`.
+pub fn read(path: &Path, overrides: &[String]) -> Result<Scene> {
+    let place = path.display().to_string();
+    let text = std::fs::read_to_string(path).map_err(|e| Error::new(format!("cannot read the scene: {e}")).at(&place))?;
+    Scene::from_source(Source { path: place, text, overrides: overrides.to_vec() })
+}
+
+impl Scene {
+    /// Reads a scene from its text; `path` names it in messages.
+    pub fn parse(path: &str, text: &str, overrides: &[String]) -> Result<Self> {
+        Self::from_source(Source { path: path.into(), text: text.into(), overrides: overrides.to_vec() })
+    }
+
+    /// The scene that its source gives with further overrides, e.g. another size of the projectile.
+    pub fn reread(&self, overrides: &[String]) -> Result<Self> {
+        let mut source = self.source.clone();
+        source.overrides.extend_from_slice(overrides);
+        Self::from_source(source)
+    }
+
+    /// The scene as understood: every default spelt out, library values included. Reads back to the same scene.
+    pub fn to_toml(&self) -> String {
+        self.understood.clone()
+    }
+
+    /// The file the scene was read from.
+    pub fn path(&self) -> &str {
+        &self.source.path
+    }
+
+    fn from_source(source: Source) -> Result<Self> {
+        let mut document = Document::parse(&source)?;
+        materials::complete(&mut document)?;
+        let mut raw = keys::deserialize(&document)?;
+        let mut scene = validate(&document, &mut raw)?;
+        scene.understood =
+            toml::to_string(&raw).map_err(|e| Error::new(format!("the scene cannot be printed: {e}")).at(&source.path))?;
+        scene.source = source.clone();
+        Ok(scene)
+    }
+}
+
+/// Support of the kernels over the smoothing length.
+const SUPPORT: f64 = 2.0;
+/// Bodies are numbered in 16 bits of a particle's id.
+const MOST_BODIES: usize = 1 << 16;
+
+/// Checks everything that a single key cannot show, and fills in the defaults that depend on other keys.
+fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
+    let dimension = raw.dimension as usize;
+    if dimension != 2 && dimension != 3 {
+        return Err(document.error("dimension", format!("{dimension} dimensions")).allowed("2 or 3"));
+    }
+    check_names(document, raw)?;
+    let (material_names, materials): (Vec<_>, Vec<_>) = raw.material.clone().into_iter().unzip();
+    for (name, material) in raw.material.iter() {
+        // The checks of a table name keys by their path, which becomes a place in the file.
+        material.validate(&format!("material.{name}")).map_err(|e| relocated(document, e))?;
+    }
+    raw.record.validate(&materials).map_err(|e| relocated(document, e))?;
+    let numerics = raw.numerics.validate(document)?;
+    let impact = raw.impact.as_mut().map(|i| Impact::read(document, i, &raw.body)).transpose()?;
+    let bodies = bodies(document, raw, &materials, &material_names, impact.as_ref(), numerics.eta)?;
+    check_overlaps(document, &bodies)?;
+    let run = raw.run.validate(document, impact.is_some())?;
+    let output = raw.output.validate(document, run.until)?;
+    let threshold = match &raw.threshold {
+        None => None,
+        Some(threshold) => Some(threshold.validate(document, &varied(document, impact.as_ref(), &bodies)?)?),
+    };
+    Ok(Scene {
+        title: raw.title.clone(),
+        dimension,
+        bodies,
+        materials,
+        material_names,
+        impact,
+        numerics,
+        run,
+        output,
+        record: raw.record,
+        threshold,
+        understood: String::new(),
+        source: Source { path: String::new(), text: String::new(), overrides: Vec::new() },
+    })
+}
+
+fn relocated(document: &Document, error: Error) -> Error {
+    let place = document.place(&error.place);
+    error.at(place)
+}
+
+fn check_names(document: &Document, raw: &RawScene) -> Result<()> {
+    if raw.body.is_empty() || raw.body.len() > MOST_BODIES {
+        let what = format!("the scene has {} bodies", raw.body.len());
+        return Err(document.error("body", what).allowed(format!("1 to {MOST_BODIES} tables [[body]]")));
+    }
+    // A body is addressed by its name, which therefore must not be another table's.
+    const TABLES: [&str; 11] = [
+        "title", "dimension", "body", "impact", "material", "numerics", "run", "output", "record", "threshold", "",
+    ];
+    for (number, body) in raw.body.iter().enumerate() {
+        let path = format!("body.{number}.name");
+        if TABLES.contains(&body.name.as_str()) || body.name.contains(['.', '=']) {
+            return Err(document.error(&path, format!("\"{}\" cannot name a body", body.name)));
+        }
+        if raw.body[..number].iter().any(|other| other.name == body.name) {
+            return Err(document.error(&path, format!("two bodies are named \"{}\"", body.name)));
+        }
+    }
+    Ok(())
+}
+
+/// Reads the target first, as the projectile's spacing may follow it, and places the projectile last.
+fn bodies(
+    document: &Document,
+    raw: &mut RawScene,
+    materials: &[MaterialTable],
+    names: &[String],
+    impact: Option<&Impact>,
+    eta: f64,
+) -> Result<Vec<Body>> {
+    let dimension = raw.dimension as usize;
+    let read = |number: usize, body: &mut raw::RawBody, target_spacing: Option<f64>| {
+        let placed = impact.is_some_and(|i| i.projectile == number);
+        let path = format!("body.{number}");
+        let material = names.iter().position(|n| *n == body.material).expect("every material of a body is completed");
+        body::Reader { document, path, dimension, target_spacing, placed }.read(body, (material, &materials[material]))
+    };
+    let target_spacing = match impact {
+        None => None,
+        Some(i) => {
+            let target = read(i.target, &mut raw.body[i.target], None)?;
+            if target.velocity != [0.0; 3] {
+                let place = format!("body.{}.velocity", i.target);
+                return Err(document.error(&place, "the target of an impact rests at the start").allowed("no velocity"));
+            }
+            Some(target.lattice.spacing)
+        }
+    };
+    let mut bodies = Vec::with_capacity(raw.body.len());
+    for (number, body) in raw.body.iter_mut().enumerate() {
+        let follows = target_spacing.filter(|_| impact.is_some_and(|i| i.projectile == number));
+        bodies.push(read(number, body, follows)?);
+    }
+    if let Some(i) = impact {
+        let (target, projectile) = (&bodies[i.target], &bodies[i.projectile]);
+        let h = target.expected_smoothing_length(eta).max(projectile.expected_smoothing_length(eta));
+        let placed = i.place(target, projectile, SUPPORT * h);
+        let (centre, velocity) = placed.map_err(|e| e.at(document.place(&format!("body.{}.shape", i.projectile))))?;
+        (bodies[i.projectile].centre, bodies[i.projectile].velocity) = (centre, velocity);
+    }
+    Ok(bodies)
+}
+
+fn check_overlaps(document: &Document, bodies: &[Body]) -> Result<()> {
+    for (number, body) in bodies.iter().enumerate() {
+        for other in &bodies[..number] {
+            if other.shape.overlaps(other.centre, &body.shape, body.centre, body.dimension) {
+                let what = format!("bodies \"{}\" and \"{}\" overlap", other.name, body.name);
+                return Err(document.error(&format!("body.{number}.position"), what).allowed("bodies that do not share volume"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The keys that a threshold search may vary: the projectile's lengths.
+fn varied(document: &Document, impact: Option<&Impact>, bodies: &[Body]) -> Result<Vec<String>> {
+    let Some(impact) = impact else {
+        return Err(document.error("threshold", "a threshold search needs an [impact]"));
+    };
+    let projectile = &bodies[impact.projectile];
+    let keys: &[&str] = match projectile.shape {
+        Shape::Sphere { .. } | Shape::HalfSphere { .. } => &["radius"],
+        Shape::Cylinder { .. } => &["radius", "height"],
+        Shape::Box { .. } => &[],
+    };
+    Ok(keys.iter().map(|key| format!("{}.{key}", projectile.name)).collect())
+}

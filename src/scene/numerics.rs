@@ -1,0 +1,210 @@
+//! `[numerics]`: how the sums are made. Every key has a default; what costs something is off until asked for.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::settings::within;
+use super::source::Document;
+use crate::error::Result;
+use crate::units::Number;
+
+/// Smoothing kernels a scene may choose.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum KernelKind {
+    #[default]
+    CubicSpline,
+    #[serde(rename = "wendland_c2")]
+    WendlandC2,
+}
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct RawNumerics {
+    kernel: KernelKind,
+    cfl: Number,
+    skin: Number,
+    eta: Number,
+    pub(super) viscosity: bool,
+    corrected_gradient: bool,
+    artificial_stress: Switch<RawArtificialStress>,
+    smoothing_length: RawSmoothingLength,
+}
+
+impl Default for RawNumerics {
+    fn default() -> Self {
+        Self {
+            kernel: KernelKind::CubicSpline,
+            cfl: Number::new(0.25),
+            skin: Number::new(0.1),
+            eta: Number::new(1.2),
+            viscosity: true,
+            corrected_gradient: false,
+            artificial_stress: Switch(None),
+            smoothing_length: RawSmoothingLength::default(),
+        }
+    }
+}
+
+/// A table that may also be `true` (all its defaults) or `false` (off).
+#[derive(Debug, Clone, Copy)]
+pub struct Switch<T>(pub Option<T>);
+
+impl<T: Serialize> Serialize for Switch<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        match &self.0 {
+            Some(table) => table.serialize(serializer),
+            None => serializer.serialize_bool(false),
+        }
+    }
+}
+
+impl<'de, T: Deserialize<'de> + Default> Deserialize<'de> for Switch<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+        struct BoolOrTable<T>(std::marker::PhantomData<T>);
+        impl<'de, T: Deserialize<'de> + Default> serde::de::Visitor<'de> for BoolOrTable<T> {
+            type Value = Switch<T>;
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("true, false or a table")
+            }
+            fn visit_bool<E>(self, on: bool) -> std::result::Result<Self::Value, E> {
+                Ok(Switch(on.then(T::default)))
+            }
+            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> std::result::Result<Self::Value, A::Error> {
+                T::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(|table| Switch(Some(table)))
+            }
+        }
+        deserializer.deserialize_any(BoolOrTable(std::marker::PhantomData))
+    }
+}
+
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct RawArtificialStress {
+    factor: Number,
+    power: Number,
+}
+
+impl Default for RawArtificialStress {
+    fn default() -> Self {
+        Self { factor: Number::new(0.2), power: Number::new(4.0) }
+    }
+}
+
+#[derive(Debug, Clone, Copy, Default)]
+pub struct RawSmoothingLength(Option<RawFollows>);
+
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RawFollows {
+    follows: Followed,
+    #[serde(default = "half")]
+    smallest: Number,
+    #[serde(default = "two")]
+    largest: Number,
+}
+
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Followed {
+    Density,
+}
+
+fn half() -> Number {
+    Number::new(0.5)
+}
+
+fn two() -> Number {
+    Number::new(2.0)
+}
+
+impl Serialize for RawSmoothingLength {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        match &self.0 {
+            Some(follows) => follows.serialize(serializer),
+            None => serializer.serialize_str("constant"),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for RawSmoothingLength {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+        struct ConstantOrTable;
+        impl<'de> serde::de::Visitor<'de> for ConstantOrTable {
+            type Value = RawSmoothingLength;
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("\"constant\" or { follows = \"density\", smallest = 0.5, largest = 2.0 }")
+            }
+            fn visit_str<E: serde::de::Error>(self, word: &str) -> std::result::Result<Self::Value, E> {
+                match word {
+                    "constant" => Ok(RawSmoothingLength(None)),
+                    _ => Err(E::invalid_value(serde::de::Unexpected::Str(word), &self)),
+                }
+            }
+            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> std::result::Result<Self::Value, A::Error> {
+                RawFollows::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(|f| RawSmoothingLength(Some(f)))
+            }
+        }
+        deserializer.deserialize_any(ConstantOrTable)
+    }
+}
+
+/// How the sums are made.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Numerics {
+    pub kernel: KernelKind,
+    /// Time step over h / signal speed.
+    pub cfl: f64,
+    /// Margin of neighbour lists over the support.
+    pub skin: f64,
+    /// h over (m / rho)^(1/d).
+    pub eta: f64,
+    /// Whether artificial viscosity acts at all; its strength belongs to the material.
+    pub viscosity: bool,
+    pub corrected_gradient: bool,
+    pub artificial_stress: Option<ArtificialStress>,
+    pub smoothing_length: SmoothingLength,
+}
+
+/// Gray, Monaghan & Swift 2001, CMAME 190, 6641: repulsion `factor` of the tension, with f^`power`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct ArtificialStress {
+    pub factor: f64,
+    pub power: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum SmoothingLength {
+    Constant,
+    /// h = h_0 (rho_0 / rho)^(1/d), within these bounds relative to h_0.
+    FollowsDensity { smallest: f64, largest: f64 },
+}
+
+impl RawNumerics {
+    pub(super) fn validate(&self, document: &Document) -> Result<Numerics> {
+        let within = |key: &str, value: Number, low: f64, high: f64| within(document, &format!("numerics.{key}"), value, low, high);
+        let artificial_stress = match self.artificial_stress.0 {
+            None => None,
+            Some(raw) => Some(ArtificialStress {
+                factor: within("artificial_stress.factor", raw.factor, 0.0, 1.0)?,
+                power: within("artificial_stress.power", raw.power, 1.0, 16.0)?,
+            }),
+        };
+        let smoothing_length = match self.smoothing_length.0 {
+            None => SmoothingLength::Constant,
+            Some(RawFollows { follows: Followed::Density, smallest, largest }) => SmoothingLength::FollowsDensity {
+                smallest: within("smoothing_length.smallest", smallest, 0.01, 1.0)?,
+                largest: within("smoothing_length.largest", largest, 1.0, 100.0)?,
+            },
+        };
+        Ok(Numerics {
+            kernel: self.kernel,
+            cfl: within("cfl", self.cfl, 1e-3, 1.0)?,
+            skin: within("skin", self.skin, 0.0, 1.0)?,
+            eta: within("eta", self.eta, 0.8, 3.0)?,
+            viscosity: self.viscosity,
+            corrected_gradient: self.corrected_gradient,
+            artificial_stress,
+            smoothing_length,
+        })
+    }
+}

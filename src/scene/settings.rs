@@ -1,0 +1,220 @@
+//! The tables that say how long to run, what to write, and what to search: `[run]`, `[output]`, `[threshold]`, each raw
+//! and validated.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::raw::word_or;
+use super::source::Document;
+use crate::error::Result;
+use crate::units::{Length, Number, Time};
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct RawRun {
+    pub(super) until: Option<RawUntil>,
+    steps: Option<u64>,
+    checkpoint_every: Time,
+    max_time: Option<Time>,
+}
+
+impl Default for RawRun {
+    fn default() -> Self {
+        Self { until: None, steps: None, checkpoint_every: Time::new(600.0), max_time: None }
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+pub(super) enum RawUntil {
+    Settled,
+    Time(Time),
+}
+
+impl Serialize for RawUntil {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        match self {
+            RawUntil::Settled => serializer.serialize_str("settled"),
+            RawUntil::Time(time) => time.serialize(serializer),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for RawUntil {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+        word_or(deserializer, "settled").map(|time| time.map_or(RawUntil::Settled, RawUntil::Time))
+    }
+}
+
+/// When a run ends, and how often it saves itself.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Run {
+    pub until: Until,
+    /// Largest number of steps.
+    pub steps: Option<u64>,
+    /// Wall seconds between checkpoints.
+    pub checkpoint_every: f64,
+    /// Simulated time at which a run ends even if not settled, s.
+    pub max_time: Option<f64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum Until {
+    Settled,
+    /// s
+    Time(f64),
+}
+
+impl RawRun {
+    /// Fills in the end of an impact.
+    pub(super) fn validate(&mut self, document: &Document, impact: bool) -> Result<Run> {
+        if self.until.is_none() && impact {
+            self.until = Some(RawUntil::Settled);
+        }
+        let until = match self.until {
+            None => return Err(document.error("run", "the scene has no end: key `until` is missing").allowed("run.until = \"100 s\"")),
+            Some(RawUntil::Settled) if !impact => {
+                let what = "\"settled\" is defined for impacts only, and the scene has no [impact]";
+                return Err(document.error("run.until", what).allowed("a time, e.g. \"100 s\""));
+            }
+            Some(RawUntil::Settled) => Until::Settled,
+            Some(RawUntil::Time(time)) => Until::Time(positive(document, "run.until", time.0, time)?),
+        };
+        let max_time = self.max_time.map(|time| positive(document, "run.max_time", time.0, time)).transpose()?;
+        let checkpoint_every = positive(document, "run.checkpoint_every", self.checkpoint_every.0, self.checkpoint_every)?;
+        Ok(Run { until, steps: self.steps, checkpoint_every, max_time })
+    }
+}
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct RawOutput {
+    snapshots: Option<u32>,
+    every: Option<Time>,
+    precision: Precision,
+    compression: u8,
+    history_every: u64,
+    picture: bool,
+}
+
+impl Default for RawOutput {
+    fn default() -> Self {
+        Self { snapshots: None, every: None, precision: Precision::F64, compression: 0, history_every: 10, picture: true }
+    }
+}
+
+/// Floating-point numbers in snapshots.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Precision {
+    F32,
+    #[default]
+    F64,
+}
+
+/// What a run writes.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Output {
+    /// Simulated time between snapshots, s; none where the scene asks for none on the way.
+    pub snapshot_interval: Option<f64>,
+    pub precision: Precision,
+    /// gzip level of snapshots, 0 (none) to 9.
+    pub compression: u8,
+    /// Steps between lines of history.csv.
+    pub history_every: u64,
+    /// Whether to draw the outcome.
+    pub picture: bool,
+}
+
+impl RawOutput {
+    pub(super) fn validate(&self, document: &Document, until: Until) -> Result<Output> {
+        let snapshot_interval = match (self.snapshots, self.every, until) {
+            (Some(_), Some(_), _) => {
+                return Err(document.error("output.snapshots", "both `snapshots` and `every` are given").allowed("one of them"));
+            }
+            (Some(0), None, _) | (None, None, _) => None,
+            (Some(_), None, Until::Settled) => {
+                let what = "a number of snapshots needs a run of known length, and this one ends when it is settled";
+                return Err(document.error("output.snapshots", what).allowed("every = \"1 s\", or run.until = \"100 s\""));
+            }
+            (Some(count), None, Until::Time(end)) => Some(end / count as f64),
+            (None, Some(every), _) => Some(positive(document, "output.every", every.0, every)?),
+        };
+        if self.compression > 9 {
+            let what = format!("{} is no compression level", self.compression);
+            return Err(document.error("output.compression", what).allowed("0 to 9"));
+        }
+        if self.history_every == 0 {
+            return Err(document.error("output.history_every", "0 steps between lines").allowed("1 or more"));
+        }
+        let Self { precision, compression, history_every, picture, .. } = *self;
+        Ok(Output { snapshot_interval, precision, compression, history_every, picture })
+    }
+}
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawThreshold {
+    vary: String,
+    #[serde(default = "five_per_cent")]
+    tolerance: Number,
+    min: Option<Length>,
+    max: Option<Length>,
+    #[serde(default = "sixteen")]
+    max_impacts: u32,
+}
+
+fn five_per_cent() -> Number {
+    Number::new(0.05)
+}
+
+fn sixteen() -> u32 {
+    16
+}
+
+/// A search for the projectile that disperses half of the target.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Threshold {
+    /// The length that is varied, as `--set` names it: `projectile.radius`.
+    pub vary: String,
+    /// Relative width of the final bracket in Q.
+    pub tolerance: f64,
+    /// Bounds of the varied length, m.
+    pub min: Option<f64>,
+    pub max: Option<f64>,
+    pub max_impacts: u32,
+}
+
+impl RawThreshold {
+    /// `varied` are the keys that may be varied.
+    pub(super) fn validate(&self, document: &Document, varied: &[String]) -> Result<Threshold> {
+        if !varied.contains(&self.vary) {
+            let what = format!("`{}` cannot be varied", self.vary);
+            return Err(document.error("threshold.vary", what).allowed(varied.join(", ")));
+        }
+        let min = self.min.map(|x| positive(document, "threshold.min", x.0, x)).transpose()?;
+        let max = self.max.map(|x| positive(document, "threshold.max", x.0, x)).transpose()?;
+        if let (Some(low), Some(high)) = (min, max) {
+            if low >= high {
+                return Err(document.error("threshold.min", format!("{} is not below max", Length::new(low))));
+            }
+        }
+        if self.max_impacts < 2 {
+            return Err(document.error("threshold.max_impacts", "a bracket needs two impacts").allowed("2 or more"));
+        }
+        let tolerance = within(document, "threshold.tolerance", self.tolerance, 1e-4, 1.0)?;
+        Ok(Threshold { vary: self.vary.clone(), tolerance, min, max, max_impacts: self.max_impacts })
+    }
+}
+
+pub(super) fn within(document: &Document, path: &str, value: Number, low: f64, high: f64) -> Result<f64> {
+    if (low..=high).contains(&value.0) {
+        return Ok(value.0);
+    }
+    Err(document.error(path, format!("{value} is out of range")).allowed(format!("{low} to {high}")))
+}
+
+pub(super) fn positive(document: &Document, path: &str, value: f64, printed: impl std::fmt::Display) -> Result<f64> {
+    if value > 0.0 {
+        return Ok(value);
+    }
+    Err(document.error(path, format!("{printed} is not positive")).allowed("more than 0"))
+}

@@ -1,0 +1,154 @@
+//! Shapes of bodies, around the body's centre. In 2D a sphere is a disc and a box a rectangle, per metre of depth.
+
+use std::f64::consts::PI;
+
+use serde::{Deserialize, Serialize};
+
+use super::lattice::Bounds;
+
+/// A shape; lengths in m.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum Shape {
+    /// A disc in 2D.
+    Sphere { radius: f64 },
+    /// Full edge lengths; the third is 0 in 2D.
+    Box { size: [f64; 3] },
+    /// Axis along z, centre at half height; 3D only.
+    Cylinder { radius: f64, height: f64 },
+    /// Flat face up, its middle the centre; material below (z < 0, in 2D y < 0).
+    HalfSphere { radius: f64 },
+}
+
+impl Shape {
+    /// Volume, m^3 (area in 2D, m^2).
+    pub fn volume(&self, dimension: usize) -> f64 {
+        let ball = |r: f64| if dimension == 2 { PI * r * r } else { 4.0 / 3.0 * PI * r * r * r };
+        match *self {
+            Shape::Sphere { radius } => ball(radius),
+            Shape::HalfSphere { radius } => 0.5 * ball(radius),
+            Shape::Box { size } => size[..dimension].iter().product(),
+            Shape::Cylinder { radius, height } => PI * radius * radius * height,
+        }
+    }
+
+    /// Whether a point relative to the centre lies inside or on the surface.
+    pub fn contains(&self, point: [f64; 3], dimension: usize) -> bool {
+        let [x, y, z] = point;
+        match *self {
+            Shape::Sphere { radius } => x * x + y * y + z * z <= radius * radius,
+            Shape::HalfSphere { radius } => point[dimension - 1] <= 0.0 && x * x + y * y + z * z <= radius * radius,
+            Shape::Box { size } => (0..dimension).all(|a| 2.0 * point[a].abs() <= size[a]),
+            Shape::Cylinder { radius, height } => x * x + y * y <= radius * radius && 2.0 * z.abs() <= height,
+        }
+    }
+
+    /// The smallest box around the shape.
+    pub fn bounds(&self, dimension: usize) -> Bounds {
+        let (mut middle, mut half) = ([0.0; 3], [0.0; 3]);
+        match *self {
+            Shape::Sphere { radius } => half[..dimension].fill(radius),
+            Shape::HalfSphere { radius } => {
+                half[..dimension].fill(radius);
+                half[dimension - 1] = 0.5 * radius;
+                middle[dimension - 1] = -0.5 * radius;
+            }
+            Shape::Box { size } => half = size.map(|s| 0.5 * s),
+            Shape::Cylinder { radius, height } => half = [radius, radius, 0.5 * height],
+        }
+        Bounds { middle, half, dimension }
+    }
+
+    /// Largest distance of a point of the shape from its centre, m.
+    pub fn outer_radius(&self) -> f64 {
+        match *self {
+            Shape::Sphere { radius } | Shape::HalfSphere { radius } => radius,
+            Shape::Box { size } => 0.5 * (size[0] * size[0] + size[1] * size[1] + size[2] * size[2]).sqrt(),
+            Shape::Cylinder { radius, height } => (radius * radius + 0.25 * height * height).sqrt(),
+        }
+    }
+
+    /// Whether two shapes at `a` and `b` share some volume. Exact for two spheres and two boxes; otherwise a grid of points
+    /// through the part that their bounding boxes share is tested.
+    pub fn overlaps(&self, a: [f64; 3], other: &Shape, b: [f64; 3], dimension: usize) -> bool {
+        let offset: [f64; 3] = std::array::from_fn(|k| b[k] - a[k]);
+        if let (Shape::Sphere { radius: r }, Shape::Sphere { radius: s }) = (self, other) {
+            let square: f64 = offset.iter().map(|x| x * x).sum();
+            return square.sqrt() < (r + s) * (1.0 - TOUCHING);
+        }
+        let (mine, theirs) = (self.bounds(dimension), other.bounds(dimension));
+        let (mut low, mut high) = ([0.0; 3], [0.0; 3]);
+        for k in 0..dimension {
+            low[k] = (mine.middle[k] - mine.half[k]).max(offset[k] + theirs.middle[k] - theirs.half[k]);
+            high[k] = (mine.middle[k] + mine.half[k]).min(offset[k] + theirs.middle[k] + theirs.half[k]);
+            if high[k] - low[k] <= TOUCHING * (mine.half[k] + theirs.half[k]) {
+                return false;
+            }
+        }
+        grid(low, high, dimension).any(|point| {
+            let seen_from_other = std::array::from_fn(|k| point[k] - offset[k]);
+            self.contains(point, dimension) && other.contains(seen_from_other, dimension)
+        })
+    }
+}
+
+/// Bodies whose surfaces touch to this relative precision do not overlap.
+const TOUCHING: f64 = 1e-9;
+
+/// Points of a regular grid through a box, the middle of each cell.
+fn grid(low: [f64; 3], high: [f64; 3], dimension: usize) -> impl Iterator<Item = [f64; 3]> {
+    const POINTS: usize = 48;
+    let layers = if dimension == 3 { POINTS } else { 1 };
+    (0..POINTS * POINTS * layers).map(move |n| {
+        let index = [n % POINTS, n / POINTS % POINTS, n / (POINTS * POINTS)];
+        std::array::from_fn(|k| low[k] + (high[k] - low[k]) * (index[k] as f64 + 0.5) / POINTS as f64)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SHAPES: [Shape; 4] = [
+        Shape::Sphere { radius: 1.3 },
+        Shape::Box { size: [1.0, 2.0, 3.0] },
+        Shape::Cylinder { radius: 0.8, height: 2.5 },
+        Shape::HalfSphere { radius: 1.7 },
+    ];
+
+    /// The exact volume against the share of grid points of the bounding box, whose error is below surface x cell.
+    #[test]
+    fn volumes_agree_with_points_inside() {
+        for shape in SHAPES {
+            let b = shape.bounds(3);
+            let low = std::array::from_fn(|k| b.middle[k] - b.half[k]);
+            let high = std::array::from_fn(|k| b.middle[k] + b.half[k]);
+            let inside = grid(low, high, 3).filter(|p| shape.contains(*p, 3)).count() as f64 / 48f64.powi(3);
+            let share = shape.volume(3) / (8.0 * b.half.iter().product::<f64>());
+            assert!((inside - share).abs() < 6.0 / 48.0 / 4.0, "{shape:?}: {inside} {share}");
+        }
+        assert_eq!(Shape::Box { size: [2.0, 3.0, 0.0] }.volume(2), 6.0);
+        assert_eq!(Shape::HalfSphere { radius: 2.0 }.volume(2), 2.0 * PI);
+    }
+
+    #[test]
+    fn half_spheres_lie_below_their_centre() {
+        let half = Shape::HalfSphere { radius: 1.0 };
+        assert!(half.contains([0.0, 0.5, -0.5], 3) && !half.contains([0.0, 0.0, 0.1], 3));
+        assert!(half.contains([0.5, -0.5, 0.0], 2) && !half.contains([0.0, 0.1, 0.0], 2));
+    }
+
+    #[test]
+    fn overlap_of_unlike_shapes() {
+        let sphere = Shape::Sphere { radius: 1.0 };
+        let brick = Shape::Box { size: [2.0, 2.0, 2.0] };
+        assert!(sphere.overlaps([0.0; 3], &brick, [1.9, 0.0, 0.0], 3));
+        assert!(!sphere.overlaps([0.0; 3], &brick, [2.0, 0.0, 0.0], 3), "touching is allowed");
+        // Bounding boxes overlap at the corner, the shapes do not: sqrt(3) x 0.9 > 1.
+        assert!(!sphere.overlaps([0.0; 3], &brick, [1.9, 1.9, 1.9], 3));
+        assert!(sphere.overlaps([0.0; 3], &sphere, [1.9, 0.0, 0.0], 3));
+        assert!(!sphere.overlaps([0.0; 3], &sphere, [2.0, 0.0, 0.0], 3));
+        let bowl = Shape::HalfSphere { radius: 5.0 };
+        assert!(!bowl.overlaps([0.0; 3], &sphere, [0.0, 0.0, 1.0], 3));
+        assert!(bowl.overlaps([0.0; 3], &sphere, [0.0, 0.0, 0.5], 3));
+    }
+}

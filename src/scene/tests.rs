@@ -1,0 +1,275 @@
+//! Scenes as a whole: the scenes of `inputs/`, what is read out of them, and the text of messages.
+
+use super::*;
+use crate::material::eos::EosTable;
+
+const IMPACT: &str = include_str!("../../inputs/impact.toml");
+const BALL: &str = "[[body]]\nname = \"ball\"\nshape = { sphere = { radius = \"1 m\" } }\nmaterial = \"basalt\"\nspacing = 0.2\n\
+    [run]\nuntil = \"1 s\"\n";
+
+fn parse(text: &str, overrides: &[&str]) -> Result<Scene> {
+    Scene::parse("s.toml", text, &overrides.iter().map(|o| o.to_string()).collect::<Vec<_>>())
+}
+
+/// The message for the ball's scene with one replacement.
+fn complaint(from: &str, to: &str) -> String {
+    assert!(BALL.contains(from));
+    parse(&BALL.replace(from, to), &[]).expect_err(to).to_string()
+}
+
+fn particles(body: &Body) -> u64 {
+    body.count(0..body.lattice_sites())
+}
+
+fn inputs() -> Vec<Scene> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("inputs");
+    let mut scenes = Vec::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|e| e == "toml") {
+            scenes.push(read(&path, &[]).unwrap_or_else(|e| panic!("{e}")));
+        }
+    }
+    scenes
+}
+
+#[test]
+fn every_input_reads_back_from_its_own_print() {
+    let scenes = inputs();
+    assert!(scenes.len() >= 4);
+    for scene in scenes {
+        let again = Scene::parse(scene.path(), &scene.to_toml(), &[]).unwrap_or_else(|e| panic!("{e}\n{}", scene.to_toml()));
+        let source = scene.source.clone();
+        assert_eq!(Scene { source, ..again }, scene, "{}", scene.to_toml());
+    }
+}
+
+#[test]
+fn scenes_travel_as_bytes() {
+    for scene in inputs() {
+        let bytes = serde_json::to_vec(&scene).unwrap();
+        assert_eq!(serde_json::from_slice::<Scene>(&bytes).unwrap(), scene);
+    }
+}
+
+#[test]
+fn the_main_scene_is_what_it_says() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("inputs/qd_star.toml");
+    let scene = read(&path, &[]).unwrap();
+    let [target, projectile] = &scene.bodies[..] else { panic!("two bodies") };
+    assert_eq!(target.shape, Shape::Sphere { radius: 50e3 });
+    assert!(particles(target).abs_diff(20_000) <= 200, "{}", particles(target));
+    assert_eq!(projectile.lattice.spacing, target.lattice.spacing);
+    assert!(particles(projectile) >= 100);
+    assert_eq!(scene.materials.len(), 1);
+    assert!(scene.materials[0].has_fracture() && scene.materials[0].strength.unwrap().melting.is_some());
+    assert!(scene.numerics.corrected_gradient && scene.numerics.viscosity && scene.record.peak_pressure);
+    assert_eq!((scene.run.until, scene.run.checkpoint_every), (Until::Settled, 600.0));
+    assert_eq!(scene.threshold.as_ref().unwrap().vary, "projectile.radius");
+    // Mass is exact: particles times their mass is that of the sphere.
+    let constants = target.constants(particles(target), scene.numerics.eta);
+    let exact = 2700.0 * 4.0 / 3.0 * std::f64::consts::PI * 50e3f64.powi(3);
+    assert!((constants.particle_mass * constants.particles as f64 / exact - 1.0).abs() < 1e-14);
+    let h = 1.2 * (exact / 2700.0 / constants.particles as f64).cbrt();
+    assert!((constants.smoothing_length / h - 1.0).abs() < 1e-14);
+}
+
+#[test]
+fn the_projectile_meets_the_target_at_the_angle_asked_for() {
+    for degrees in [0.0, 30.0, 75.0] {
+        let scene = parse(IMPACT, &[&format!("impact.angle={degrees} deg"), "target.position=[\"1 km\", 0, \"-3 km\"]"]).unwrap();
+        let [target, projectile] = &scene.bodies[..] else { panic!("two bodies") };
+        assert_eq!(projectile.velocity, [-5000.0, 0.0, 0.0]);
+        let r: [f64; 3] = std::array::from_fn(|k| projectile.centre[k] - target.centre[k]);
+        let gap = (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt() - 11e3;
+        let h = target.expected_smoothing_length(1.2);
+        assert!((gap - 2.0 * h).abs() < 1e-9 * h, "{gap}");
+        // Flown on to contact, the line of centres makes the angle with the velocity.
+        assert!((r[1] / 11e3 - degrees.to_radians().sin()).abs() < 1e-12 && r[2] == 0.0 && r[0] > 0.0);
+    }
+}
+
+#[test]
+fn a_flat_target_is_hit_from_above() {
+    let overrides = ["target.shape={ half_sphere = { radius = \"10 km\" } }", "impact.angle=30 deg"];
+    let scene = parse(IMPACT, &overrides).unwrap();
+    let [target, projectile] = &scene.bodies[..] else { panic!("two bodies") };
+    let gap = projectile.centre[2] - 1000.0;
+    assert!((gap - 2.0 * target.expected_smoothing_length(1.2)).abs() < 1e-9 * gap);
+    let v = projectile.velocity;
+    assert!((v[0] / v[2] - 30f64.to_radians().tan()).abs() < 1e-14);
+    // It flies on to the middle of the face.
+    assert!((projectile.centre[0] - gap * v[0] / v[2]).abs() < 1e-9 * gap);
+}
+
+#[test]
+fn a_small_projectile_gets_a_hundred_particles() {
+    let scene = parse(IMPACT, &["projectile.radius=100 m"]).unwrap();
+    let n = particles(&scene.bodies[1]);
+    assert!((100..=120).contains(&n), "{n}");
+    let larger = scene.reread(&["projectile.radius=3 km".into()]).unwrap();
+    assert_eq!(larger.bodies[1].shape, Shape::Sphere { radius: 3e3 });
+    assert_eq!(larger.bodies[1].lattice.spacing, larger.bodies[0].lattice.spacing);
+}
+
+#[test]
+fn numbers_of_particles_are_met() {
+    for n in [1000u64, 3000, 10_000] {
+        for shape in ["sphere = { radius = 1 }", "half_sphere = { radius = 1 }", "cylinder = { radius = 1, height = 3 }"] {
+            let scene = parse(BALL, &[&format!("ball.shape={{ {shape} }}"), &format!("ball.particles={n}")]).unwrap();
+            let found = particles(&scene.bodies[0]);
+            assert!(100 * found.abs_diff(n) <= n, "{shape}: {found} of {n}");
+        }
+        let flat = parse(BALL, &["dimension=2", &format!("ball.particles={n}"), "ball.orientation.seed=4"]).unwrap();
+        assert!(100 * particles(&flat.bodies[0]).abs_diff(n) <= n);
+    }
+}
+
+#[test]
+fn sites_are_the_same_in_parts_as_in_whole() {
+    let scene = parse(BALL, &["ball.position=[1, 2, 3]", "ball.orientation.seed=7"]).unwrap();
+    let body = &scene.bodies[0];
+    let end = body.lattice_sites();
+    let whole: Vec<_> = body.sites(0..end).collect();
+    let parts: Vec<_> = [0..end / 3, end / 3..end / 2, end / 2..end].into_iter().flat_map(|r| body.sites(r)).collect();
+    assert_eq!(whole, parts);
+    assert_eq!(whole.len() as u64, body.count(0..end));
+    assert!(whole.iter().all(|(_, p)| body.contains(*p)));
+}
+
+#[test]
+fn bodies_turn_about_their_centre() {
+    let scene = parse(BALL, &["ball.spin=[0, 0, \"2 rad/s\"]", "ball.position=[5, 0, 0]", "ball.velocity=[0, 0, \"3 m/s\"]"]).unwrap();
+    assert_eq!(scene.bodies[0].velocity_at([6.0, 0.0, 0.0]), [0.0, 2.0, 3.0]);
+    let flat = parse(BALL, &["dimension=2", "ball.spin=2 rad/s"]).unwrap();
+    assert_eq!(flat.bodies[0].velocity_at([0.0, 1.0, 0.0]), [-2.0, 0.0, 0.0]);
+}
+
+#[test]
+fn a_gas_starts_from_its_pressure() {
+    let scene = parse(include_str!("../../inputs/blast_gas.toml"), &["material.ideal_gas.eos.ideal_gas.gamma=1.4"]).unwrap();
+    assert!(matches!(scene.materials[0].eos, EosTable::IdealGas(gas) if gas.gamma.0 == 1.4));
+    assert!((scene.bodies[0].internal_energy / 2.5e5 - 1.0).abs() < 1e-15);
+    assert!((scene.output.snapshot_interval.unwrap() / 4e-4 - 1.0).abs() < 1e-15);
+}
+
+#[test]
+fn unknown_keys_name_the_nearest_known_one() {
+    let text = complaint("spacing = 0.2", "spacng = 0.2");
+    assert!(text.starts_with("s.toml:5: body ball, spacng: unknown key `spacng`, did you mean `spacing`?"), "{text}");
+    assert!(text.contains("(allowed: name, shape, material, particles, spacing,"), "{text}");
+    let text = complaint("radius", "raduis");
+    assert!(text.starts_with("s.toml:3: ") && text.contains("did you mean `radius`?"), "{text}");
+    let text = complaint("sphere", "shpere");
+    assert!(text.starts_with("s.toml:3: ") && text.contains("unknown choice `shpere`, did you mean `sphere`?"), "{text}");
+    let text = complaint("[run]", "[ran]");
+    assert!(text.starts_with("s.toml:6: ran: unknown key `ran`, did you mean `run`?"), "{text}");
+    let text = parse(BALL, &["bal.spacing=1"]).unwrap_err().to_string();
+    assert!(text.starts_with("--set bal.spacing=1: unknown key `bal`, did you mean `ball`?"), "{text}");
+    let text = parse(&format!("{BALL}[material.basalt.fracture]\nweibul_m = 9\n"), &[]).unwrap_err().to_string();
+    assert!(text.starts_with("s.toml:9: ") && text.contains("did you mean `weibull_m`?"), "{text}");
+    let text = parse(&format!("{BALL}[numerics.artificial_stress]\nfaktor = 1\n"), &[]).unwrap_err().to_string();
+    assert!(text.starts_with("s.toml:9: ") && text.contains("did you mean `factor`?"), "{text}");
+}
+
+#[test]
+fn wrong_values_are_refused_in_one_clear_line() {
+    let cases = [
+        ("\"1 m\"", "\"1 kg\"", "s.toml:3: body ball, shape.sphere.radius: \"1 kg\" is a mass; a length is wanted"),
+        ("\"1 m\"", "\"-1 m\"", "s.toml:3: body ball, shape.sphere.radius: radius is -1 m (allowed: more than 0)"),
+        ("spacing = 0.2", "spacing = 0", "s.toml:5: body ball, spacing: spacing is 0 m (allowed: more than 0)"),
+        ("spacing = 0.2", "particles = 0", "s.toml:5: body ball, particles: particles is 0"),
+        ("spacing = 0.2", "", "the body has no particles"),
+        ("spacing = 0.2", "spacing = 0.2\nparticles = 5", "both particles and spacing are given"),
+        ("spacing = 0.2", "spacing = \"target\"", "only the projectile of an [impact] follows"),
+        ("spacing = 0.2", "spacing = 1e-6", "lattice sites (allowed: at most 2^48 sites per body)"),
+        ("spacing = 0.2", "spacing = 0.2\ndensity = -2700", "s.toml:6: body ball, density: density is -2700 kg/m^3"),
+        ("spacing = 0.2", "spacing = 0.2\nposition = [0, 0]", "2 components in 3 dimensions (allowed: 3 components)"),
+        ("spacing = 0.2", "spacing = 0.2\nspin = 3", "a spin has three components"),
+        ("spacing = 0.2", "spacing = 0.2\ndamage = 0.5", "has no fracture, so there is no damage"),
+        ("spacing = 0.2", "spacing = 0.2\norientation = {}", "{ seed = 3 } or { axis"),
+        ("spacing = 0.2", "spacing = 0.2\npressure = 5", "only an ideal gas starts from a pressure"),
+        ("spacing = 0.2", "spacing = 0.2\nlattice = \"hpc\"", "did you mean `hcp`?"),
+        ("\"ball\"", "\"run\"", "\"run\" cannot name a body"),
+        ("name = \"ball\"", "", "key `name` is missing"),
+        ("\"basalt\"", "\"ideal_gas\"", "key `density` is missing: a gas has no density of its own"),
+        ("until = \"1 s\"", "", "the scene has no end"),
+        ("\"1 s\"", "\"1 m\"", "\"1 m\" is a length; a time is wanted (allowed: \"settled\", \"100 s\""),
+        ("\"1 s\"", "\"settled\"", "\"settled\" is defined for impacts only"),
+        ("\"1 s\"", "\"1 s\"\n[output]\ncompression = 10", "10 is no compression level (allowed: 0 to 9)"),
+        ("\"1 s\"", "\"1 s\"\n[numerics]\ncfl = 7", "s.toml:9: numerics.cfl: 7 is out of range (allowed: 0.001 to 1)"),
+        ("\"1 s\"", "\"1 s\"\n[numerics]\nkernel = \"wendland\"", "unknown choice `wendland`"),
+        ("\"1 s\"", "\"1 s\"\n[numerics]\nsmoothing_length = \"free\"", "\"constant\" or { follows = \"density\""),
+        ("\"1 s\"", "\"1 s\"\n[threshold]\nvary = \"ball.radius\"", "a threshold search needs an [impact]"),
+        ("\"1 s\"", "\"1 s\"\n[impact]\nspeed = 5", "an impact needs two bodies"),
+        ("\"1 s\"", "\"1 s", "s.toml:7"),
+        ("[[body]]", "dimension = 4\n[[body]]", "s.toml:1: dimension: 4 dimensions (allowed: 2 or 3)"),
+    ];
+    for (from, to, expected) in cases {
+        let text = complaint(from, to);
+        assert!(text.contains(expected) && !text.contains('\n'), "{to}: {text}");
+    }
+    let cases = [
+        ("impact.speed=-5 km/s", "--set impact.speed=-5 km/s: speed is -5000 m/s"),
+        ("impact.angle=90 deg", "below 90 deg"),
+        ("impact.target=targt", "unknown body `targt`, did you mean `target`?"),
+        ("impact.target=projectile", "the target of an impact"),
+        ("target.velocity=[1, 0, 0]", "rests at the start"),
+        ("projectile.velocity=[1, 0, 0]", "follows from [impact]"),
+        ("projectile.shape={ box = { size = [1, 1, 1] } }", "onto a sphere only a sphere can fall"),
+        ("threshold.vary=target.radius", "`target.radius` cannot be varied (allowed: projectile.radius)"),
+        ("run.until=settled", "needs a run of known length"),
+        ("material.basalt.strength.shear_modulus=-1", "--set material.basalt.strength.shear_modulus=-1"),
+        ("material.basalt.strength.shear_modulus=3 GPb", "unknown unit `GPb`"),
+    ];
+    for (change, expected) in cases.into_iter().filter(|(c, _)| *c != "impact.target=projectile") {
+        let text = parse(IMPACT, &[change]).expect_err(change).to_string();
+        assert!(text.contains(expected) && !text.contains('\n'), "{change}: {text}");
+    }
+    let text = read(Path::new("nowhere.toml"), &[]).unwrap_err().to_string();
+    assert!(text.starts_with("nowhere.toml: cannot read the scene"), "{text}");
+    assert!(parse("", &[]).unwrap_err().to_string().contains("the scene has 0 bodies"));
+}
+
+#[test]
+fn overlapping_bodies_are_refused() {
+    let second = BALL.replace("\"ball\"", "\"other\"").replace("[run]\nuntil = \"1 s\"\n", "position = [1.9, 0, 0]\n");
+    let text = parse(&format!("{second}{BALL}"), &[]).unwrap_err().to_string();
+    assert!(text.contains("bodies \"other\" and \"ball\" overlap"), "{text}");
+    assert!(parse(&format!("{second}{BALL}"), &["other.position=[2, 0, 0]"]).is_ok());
+}
+
+#[test]
+fn overrides_switch_effects() {
+    let scene = parse(IMPACT, &["material.basalt.fracture=false", "numerics.viscosity=false", "numerics.artificial_stress=true"]).unwrap();
+    assert!(!scene.materials[0].has_fracture() && scene.materials[0].viscosity.is_none() && !scene.numerics.viscosity);
+    assert_eq!(scene.numerics.artificial_stress, Some(ArtificialStress { factor: 0.2, power: 4.0 }));
+}
+
+#[test]
+fn two_dimensional_scenes_have_mass_per_depth() {
+    let scene = parse(include_str!("../../inputs/rotating_rod_2d.toml"), &[]).unwrap();
+    let rod = &scene.bodies[0];
+    assert_eq!(particles(rod), 100 * 20);
+    assert!((rod.mass() - 2700.0 * 0.2).abs() < 1e-10);
+    assert!(rod.sites(0..rod.lattice_sites()).all(|(_, p)| p[2] == 0.0));
+    let text = parse(BALL, &["dimension=2", "ball.shape={ cylinder = { radius = 1, height = 1 } }"]).unwrap_err().to_string();
+    assert!(text.contains("a cylinder needs three dimensions"), "{text}");
+}
+
+/// Whatever a character of a scene is changed into, reading ends with a scene or an error, never with a panic.
+#[test]
+fn damaged_text_never_panics() {
+    let marks = ['"', '[', ']', '=', '-', '9', '.', 'e', ' ', '\n', 'µ'];
+    for (number, (at, old)) in BALL.char_indices().enumerate() {
+        for mark in [marks[number % marks.len()], marks[(7 * number + 3) % marks.len()]] {
+            let mut text = BALL.to_string();
+            text.replace_range(at..at + old.len_utf8(), &mark.to_string());
+            // A spacing made tiny would only cost time.
+            if !text.contains("spacing = 0.") || text.contains("e0") {
+                continue;
+            }
+            let _ = parse(&text, &[]);
+        }
+    }
+}
