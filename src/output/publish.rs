@@ -1,0 +1,61 @@
+//! Files appear whole or not at all: they are written under a temporary name, brought to disk, and renamed.
+
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+
+use super::agree;
+use crate::domain::comm::Comm;
+use crate::error::{Error, Result};
+
+/// The name under which a file is written before it is whole.
+pub fn temporary(path: &Path) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(".tmp");
+    PathBuf::from(name)
+}
+
+/// Gives the file written as [`temporary`] its name, once it is on disk. Rank 0 acts; all ranks return the same.
+pub fn publish(path: &Path, comm: &Comm) -> Result<()> {
+    agree(comm, if comm.is_root() { rename(path) } else { Ok(()) })
+}
+
+/// Replaces a small file by `text`; for one rank.
+pub fn replace_text(path: &Path, text: &str) -> Result<()> {
+    fs::write(temporary(path), text).map_err(|e| cannot("write", path, e))?;
+    rename(path)
+}
+
+fn rename(path: &Path) -> Result<()> {
+    let from = temporary(path);
+    File::open(&from).and_then(|f| f.sync_all()).map_err(|e| cannot("bring to disk", &from, e))?;
+    fs::rename(&from, path).map_err(|e| cannot("rename", &from, e))?;
+    sync_directory_of(path)
+}
+
+/// A rename is lasting only once its directory is on disk.
+pub fn sync_directory_of(path: &Path) -> Result<()> {
+    let directory = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    File::open(directory).and_then(|d| d.sync_all()).map_err(|e| cannot("bring to disk", directory, e))
+}
+
+/// An error of the file system, with what was tried.
+pub fn cannot(verb: &str, path: &Path, error: std::io::Error) -> Error {
+    Error::new(format!("cannot {verb}: {error}")).at(path.display().to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn replaces_and_leaves_no_temporary_file() {
+        let directory = tempfile::tempdir().unwrap();
+        let path = directory.path().join("a.json");
+        replace_text(&path, "one").unwrap();
+        replace_text(&path, "two").unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), "two");
+        assert!(!temporary(&path).exists());
+        let error = replace_text(&directory.path().join("missing/a.json"), "x").unwrap_err();
+        assert!(error.what.starts_with("cannot write") && error.place.ends_with("a.json"));
+    }
+}

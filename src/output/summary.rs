@@ -1,0 +1,108 @@
+//! summary.json: what a run found and what it cost, under keys that scripts may rely on.
+
+use std::path::Path;
+
+use serde::{Serialize, Serializer};
+
+use super::{agree, publish};
+use crate::domain::comm::Comm;
+use crate::error::{Error, Result};
+
+/// Names with values, in the order in which they were given.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Figures(pub Vec<(String, f64)>);
+
+impl Serialize for Figures {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+    }
+}
+
+/// A run in figures. Numbers that are not finite are written as null.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Summary {
+    pub title: String,
+    pub version: String,
+    /// See [`super::state_hash`]: the same for any ranks and threads.
+    pub state_hash: String,
+    /// Simulated time at the end, s.
+    pub time: f64,
+    pub steps: u64,
+    pub particles: u64,
+    pub ranks: usize,
+    pub threads_per_rank: usize,
+    pub wall_seconds: f64,
+    /// Waits inside MPI, summed over ranks.
+    pub mpi_wait_seconds: f64,
+    /// User and system time of all threads of all ranks, less the MPI waits, which spin.
+    pub core_seconds: f64,
+    /// Directed, inside the support.
+    pub pair_interactions: u64,
+    /// One update is one force evaluation of one owned particle.
+    pub updates_per_core_second: f64,
+    /// (Peak resident set - what the process held after MPI_Init) / particles, over all ranks.
+    pub bytes_per_particle: f64,
+    pub list_bytes_per_particle: f64,
+    /// Largest |E - E0| over the run, over the initial kinetic energy in the centre-of-mass frame.
+    pub energy_drift: f64,
+    /// Over sum m |v|.
+    pub momentum_drift: f64,
+    pub angular_momentum_drift: f64,
+    /// Name -> share of the time.
+    pub phases: Figures,
+    /// Name -> share of the time, of effects with an update of their own.
+    pub effects: Figures,
+    /// Ghosts over owned particles.
+    pub ghost_fraction: f64,
+    pub exchanged_bytes_per_step: f64,
+    /// Largest load of a rank over the mean.
+    pub imbalance: f64,
+    /// Errors against the exact solution that the scene names.
+    pub errors: Figures,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outcome: Option<Figures>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub threshold: Option<Threshold>,
+}
+
+/// What a threshold search found; specific energies in J/kg.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Threshold {
+    pub q_star_d: f64,
+    pub q_star_rd: f64,
+    pub uncertainty: f64,
+    /// The published value it is compared with.
+    pub reference: f64,
+    pub ratio_to_reference: f64,
+    pub impacts: Vec<Figures>,
+}
+
+impl Summary {
+    /// Writes the file, by rank 0; all ranks return the same.
+    pub fn write(&self, path: &Path, comm: &Comm) -> Result<()> {
+        let mine = if comm.is_root() { self.write_alone(path) } else { Ok(()) };
+        agree(comm, mine)
+    }
+
+    fn write_alone(&self, path: &Path) -> Result<()> {
+        let text =
+            serde_json::to_string_pretty(self).map_err(|e| Error::new(e.to_string()).at(path.display().to_string()))?;
+        publish::replace_text(path, &(text + "\n"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_keep_their_order_and_absent_parts_are_left_out() {
+        let figures = Figures(vec![("pairs".into(), 0.7), ("exchange".into(), 0.1)]);
+        let summary = Summary { steps: 7, phases: figures, energy_drift: f64::NAN, ..Default::default() };
+        let text = serde_json::to_string(&summary).unwrap();
+        let at = |key: &str| text.find(&format!("\"{key}\"")).unwrap_or_else(|| panic!("{key} in {text}"));
+        let order = ["state_hash", "steps", "energy_drift", "phases", "pairs", "exchange", "errors"];
+        assert!(order.windows(2).all(|w| at(w[0]) < at(w[1])));
+        assert!(text.contains("\"energy_drift\":null") && !text.contains("threshold"));
+    }
+}
