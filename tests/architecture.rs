@@ -49,7 +49,8 @@ fn every_test_file_is_run() {
     for entry in fs::read_dir(root.join("tests")).expect("tests/").flatten() {
         let name = entry.file_name().into_string().expect("a plain name");
         if let Some(module) = name.strip_suffix(".rs") {
-            let named = main.contains(&format!("mod {module};")) || manifest.contains(&format!("path = \"tests/{name}\""));
+            let named =
+                main.contains(&format!("mod {module};")) || manifest.contains(&format!("path = \"tests/{name}\""));
             assert!(named, "tests/{name} is named neither in tests/main.rs nor in Cargo.toml");
         }
     }
@@ -255,7 +256,11 @@ mod checker {
 
     #[test]
     fn upward_import() {
-        assert_found("particles/sort.rs", "use crate::math::Vec3;\nuse crate::material::Core;\n", &["sort.rs:2: `particles` imports from `material`, of a higher"]);
+        assert_found(
+            "particles/sort.rs",
+            "use crate::math::Vec3;\nuse crate::material::Core;\n",
+            &["sort.rs:2: `particles` imports from `material`, of a higher"],
+        );
         assert_found("math/a.rs", "fn f() {\n    crate::cli::run();\n}\n", &["math/a.rs:2"]);
     }
 
@@ -309,7 +314,11 @@ mod checker {
         // A comment speaks for the item below it, down to its closing brace, and for no other.
         let item = |name| format!("unsafe fn {name}(\n    a: A,\n) -> A {{\n    unsafe {{ g() }}\n}}\n");
         assert_found("math/a.rs", &format!("/// # Safety\n/// AVX2.\n{}", item("f")), &[]);
-        assert_found("math/a.rs", &format!("/// # Safety\n/// AVX2.\n{}{}", item("f"), item("g")), &["a.rs:10: `unsafe`"]);
+        assert_found(
+            "math/a.rs",
+            &format!("/// # Safety\n/// AVX2.\n{}{}", item("f"), item("g")),
+            &["a.rs:10: `unsafe`"],
+        );
         // Nor does one inside a block speak for what follows the block.
         assert_found("math/a.rs", "{\n    // SAFETY: a\n    f();\n}\nunsafe { g() }", &["a.rs:5: `unsafe`"]);
     }

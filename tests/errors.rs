@@ -178,7 +178,9 @@ fn assert_stop_and_resume(code: i32, stop: impl FnOnce(&crate::common::Job)) {
 
     let mut job = start(&stopped, &[]);
     let history = stopped.join("history.csv");
-    job.wait_until("step 5 is in its history", || fs::read_to_string(&history).is_ok_and(|text| text.lines().count() > 6));
+    job.wait_until("step 5 is in its history", || {
+        fs::read_to_string(&history).is_ok_and(|text| text.lines().count() > 6)
+    });
     stop(&job);
     let output = job.wait().expect_code(code);
     assert!(!stopped.join("summary.json").exists(), "the run went to its end before it was stopped\n{}", output.stderr);

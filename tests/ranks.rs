@@ -30,7 +30,8 @@ fn sparse_exchange_keeps_rounds_apart() {
             let to = |r: usize| (0..=round % n).map(move |step| (r + step) % n);
             let words = |from: usize, to: usize| vec![(round * 100 + from * 10 + to) as u64; (from + round) % 5];
             let came = comm.sparse_exchange(to(me).map(|other| (other, words(me, other))).collect());
-            let expected: Vec<_> = (0..n).filter(|&from| to(from).any(|r| r == me)).map(|from| (from, words(from, me))).collect();
+            let expected: Vec<_> =
+                (0..n).filter(|&from| to(from).any(|r| r == me)).map(|from| (from, words(from, me))).collect();
             assert_eq!(came, expected, "round {round}");
         }
     });

@@ -65,7 +65,10 @@ fn reference() -> &'static (PathBuf, Value) {
 fn assert_eventful(name: &str, summary: &Value, ranks: usize) {
     let at_least = |pointer: &str, least: f64| {
         let value = summary.pointer(pointer).and_then(Value::as_f64);
-        assert!(value.is_some_and(|v| v >= least), "{name}: {pointer} of summary.json is {value:?}, not at least {least}");
+        assert!(
+            value.is_some_and(|v| v >= least),
+            "{name}: {pointer} of summary.json is {value:?}, not at least {least}"
+        );
     };
     at_least("/steps", 100.0);
     at_least("/list_builds", 4.0);
@@ -90,7 +93,8 @@ fn assert_same(name: &str, dir: &Path, found: &Value) {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/columns.py");
     let checkpoint = |dir: &Path| dir.join("run/checkpoint.h5");
     let mut compare = Command::new(python);
-    let output = compare.arg(script).args([checkpoint(reference_dir), checkpoint(dir)]).output().expect("Python starts");
+    let output =
+        compare.arg(script).args([checkpoint(reference_dir), checkpoint(dir)]).output().expect("Python starts");
     let (said, error) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     assert!(output.status.success(), "{name}: {error}");
     let words: Vec<&str> = said.split_whitespace().collect();

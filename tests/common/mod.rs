@@ -95,7 +95,11 @@ impl Job {
     /// Waits until `ready` says so; the test fails when the job ends or its time is up before.
     pub fn wait_until(&mut self, what: &str, mut ready: impl FnMut() -> bool) {
         while !ready() {
-            assert!(self.child.try_wait().expect("mpirun can be waited for").is_none(), "the job ended before {what}\n{}", self.printed());
+            assert!(
+                self.child.try_wait().expect("mpirun can be waited for").is_none(),
+                "the job ended before {what}\n{}",
+                self.printed()
+            );
             self.check_limit();
             std::thread::sleep(Duration::from_millis(5));
         }
@@ -105,8 +109,15 @@ impl Job {
     pub fn wait(mut self) -> Output {
         loop {
             if let Some(status) = self.child.try_wait().expect("mpirun can be waited for") {
-                let read = |name| String::from_utf8_lossy(&fs::read(self.dir.path().join(name)).unwrap_or_default()).into_owned();
-                return Output { code: status.code(), stdout: read("stdout"), stderr: read("stderr"), time: self.started.elapsed() };
+                let read = |name| {
+                    String::from_utf8_lossy(&fs::read(self.dir.path().join(name)).unwrap_or_default()).into_owned()
+                };
+                return Output {
+                    code: status.code(),
+                    stdout: read("stdout"),
+                    stderr: read("stderr"),
+                    time: self.started.elapsed(),
+                };
             }
             self.check_limit();
             std::thread::sleep(Duration::from_millis(10));
@@ -118,7 +129,9 @@ impl Job {
     }
 
     fn printed(&self) -> String {
-        ["stdout", "stderr"].map(|name| format!("--- {name}\n{}", fs::read_to_string(self.dir.path().join(name)).unwrap_or_default())).concat()
+        ["stdout", "stderr"]
+            .map(|name| format!("--- {name}\n{}", fs::read_to_string(self.dir.path().join(name)).unwrap_or_default()))
+            .concat()
     }
 }
 
@@ -167,7 +180,8 @@ fn descendants(pid: u32) -> Vec<u32> {
 
 /// (process, its parent) of every process of this machine.
 fn processes() -> Vec<(u32, u32)> {
-    let numbers = fs::read_dir("/proc").expect("/proc").flatten().filter_map(|entry| entry.file_name().to_str()?.parse().ok());
+    let numbers =
+        fs::read_dir("/proc").expect("/proc").flatten().filter_map(|entry| entry.file_name().to_str()?.parse().ok());
     numbers
         .filter_map(|pid: u32| {
             // pid (name) state parent ...; the name may hold anything, brackets too.
@@ -200,7 +214,12 @@ pub fn ranks(n: usize, name: &str, body: impl FnOnce(&Comm)) {
     let args = [name, "--exact", "--nocapture", "--test-threads=1"];
     let out = Launch::new(n, executable, &args).env(RANK_DIR, done.path()).limit(60).run().expect_code(0);
     for rank in 0..n {
-        assert!(done.path().join(rank.to_string()).exists(), "rank {rank} did not run `{name}`\n{}{}", out.stdout, out.stderr);
+        assert!(
+            done.path().join(rank.to_string()).exists(),
+            "rank {rank} did not run `{name}`\n{}{}",
+            out.stdout,
+            out.stderr
+        );
     }
 }
 
