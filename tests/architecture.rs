@@ -317,7 +317,7 @@ mod checker {
         assert_found(
             "math/a.rs",
             &format!("/// # Safety\n/// AVX2.\n{}{}", item("f"), item("g")),
-            &["a.rs:10: `unsafe`"],
+            &["a.rs:11: `unsafe`"],
         );
         // Nor does one inside a block speak for what follows the block.
         assert_found("math/a.rs", "{\n    // SAFETY: a\n    f();\n}\nunsafe { g() }", &["a.rs:5: `unsafe`"]);

@@ -112,12 +112,7 @@ impl Job {
                 let read = |name| {
                     String::from_utf8_lossy(&fs::read(self.dir.path().join(name)).unwrap_or_default()).into_owned()
                 };
-                return Output {
-                    code: status.code(),
-                    stdout: read("stdout"),
-                    stderr: read("stderr"),
-                    time: self.started.elapsed(),
-                };
+                return Output { code: status.code(), stdout: read("stdout"), stderr: read("stderr") };
             }
             self.check_limit();
             std::thread::sleep(Duration::from_millis(10));
@@ -153,7 +148,6 @@ pub struct Output {
     pub code: Option<i32>,
     pub stdout: String,
     pub stderr: String,
-    pub time: Duration,
 }
 
 impl Output {
