@@ -103,16 +103,19 @@ impl Comm {
 
     /// Element-wise minimum over ranks, in place. NaN does not survive: replace it by what it should mean first.
     pub fn all_min(&self, values: &mut [f64]) {
+        // SAFETY: constants of the MPI library.
         self.all_reduce(values, unsafe { ffi::RSMPI_DOUBLE }, unsafe { ffi::RSMPI_MIN });
     }
 
     /// Element-wise maximum over ranks, in place.
     pub fn all_max(&self, values: &mut [f64]) {
+        // SAFETY: constants of the MPI library.
         self.all_reduce(values, unsafe { ffi::RSMPI_DOUBLE }, unsafe { ffi::RSMPI_MAX });
     }
 
     /// Element-wise sum over ranks, in place: exact, so independent of order.
     pub fn all_sum(&self, values: &mut [i64]) {
+        // SAFETY: constants of the MPI library.
         self.all_reduce(values, unsafe { ffi::RSMPI_INT64_T }, unsafe { ffi::RSMPI_SUM });
     }
 

@@ -1,0 +1,269 @@
+//! Runs programs on several ranks: one job at a time, with a time limit, and with nothing left behind.
+
+use std::fs::{self, File};
+use std::os::unix::process::CommandExt;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+use sph_mpi::domain::comm::Comm;
+use tempfile::TempDir;
+
+/// The program under test.
+pub const PROGRAM: &str = env!("CARGO_BIN_EXE_sph-mpi");
+
+/// Where the ranks of a test leave word that they ran; set in them only.
+const RANK_DIR: &str = "SPH_MPI_TEST_RANKS";
+
+/// Two jobs at once on a small machine would run into each other's time limits. Cargo runs one test binary after another.
+static ONE_JOB: Mutex<()> = Mutex::new(());
+
+/// A command on several ranks, before it starts.
+pub struct Launch {
+    command: Command,
+    limit: Duration,
+}
+
+impl Launch {
+    /// `program` with `args` under `mpirun -n ranks`.
+    pub fn new<A: AsRef<std::ffi::OsStr>>(ranks: usize, program: impl AsRef<Path>, args: &[A]) -> Self {
+        let mut command = Command::new("mpirun");
+        command.args(["-n", &ranks.to_string(), "--bind-to", "none"]).arg(program.as_ref()).args(args);
+        command.env("OMPI_ALLOW_RUN_AS_ROOT", "1").env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
+        command.env("OMPI_MCA_rmaps_base_oversubscribe", "1").env("OMPI_MCA_odls_base_sigkill_timeout", "5");
+        // One thread, as long as a test asks for nothing else: `--threads` overrules it.
+        command.env("RAYON_NUM_THREADS", "1");
+        // A group of its own: a Ctrl-C at the terminal reaches the tests, which then end the job.
+        command.process_group(0).stdin(Stdio::null());
+        Self { command, limit: Duration::from_secs(120) }
+    }
+
+    /// sph-mpi with `args`.
+    pub fn scene<A: AsRef<std::ffi::OsStr>>(ranks: usize, args: &[A]) -> Self {
+        Self::new(ranks, PROGRAM, args)
+    }
+
+    pub fn env(mut self, key: &str, value: impl AsRef<std::ffi::OsStr>) -> Self {
+        self.command.env(key, value);
+        self
+    }
+
+    /// Seconds after which the job is ended and the test fails.
+    pub fn limit(mut self, seconds: u64) -> Self {
+        self.limit = Duration::from_secs(seconds);
+        self
+    }
+
+    /// Starts the job as soon as no other one runs.
+    pub fn start(mut self) -> Job {
+        let alone = ONE_JOB.lock().unwrap_or_else(PoisonError::into_inner);
+        let dir = tempfile::tempdir().expect("a temporary directory");
+        let file = |name| File::create(dir.path().join(name)).expect("a file for the output");
+        self.command.stdout(file("stdout")).stderr(file("stderr"));
+        let child = self.command.spawn().expect("mpirun is there");
+        Job { child, dir, started: Instant::now(), limit: self.limit, _alone: alone }
+    }
+
+    /// Runs the job to its end.
+    pub fn run(self) -> Output {
+        self.start().wait()
+    }
+}
+
+/// A running job; dropped before its end, it ends with all its ranks.
+pub struct Job {
+    child: Child,
+    /// Holds what the job prints; a file, unlike a pipe, never fills up.
+    dir: TempDir,
+    started: Instant,
+    limit: Duration,
+    _alone: MutexGuard<'static, ()>,
+}
+
+impl Job {
+    /// Sends `signal` to mpirun.
+    pub fn signal(&self, signal: i32) {
+        send(self.child.id(), signal);
+    }
+
+    /// Sends `signal` to every rank, as a batch system does that started them itself.
+    pub fn signal_ranks(&self, signal: i32) {
+        descendants(self.child.id()).into_iter().for_each(|pid| send(pid, signal));
+    }
+
+    /// Waits until `ready` says so; the test fails when the job ends or its time is up before.
+    pub fn wait_until(&mut self, what: &str, mut ready: impl FnMut() -> bool) {
+        while !ready() {
+            assert!(
+                self.child.try_wait().expect("mpirun can be waited for").is_none(),
+                "the job ended before {what}\n{}",
+                self.printed()
+            );
+            self.check_limit();
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    /// Waits for the end of the job; the test fails when its time is up before.
+    pub fn wait(mut self) -> Output {
+        loop {
+            if let Some(status) = self.child.try_wait().expect("mpirun can be waited for") {
+                let read = |name| {
+                    String::from_utf8_lossy(&fs::read(self.dir.path().join(name)).unwrap_or_default()).into_owned()
+                };
+                return Output { code: status.code(), stdout: read("stdout"), stderr: read("stderr") };
+            }
+            self.check_limit();
+            std::thread::sleep(Duration::from_millis(10));
+        }
+    }
+
+    fn check_limit(&self) {
+        assert!(self.started.elapsed() < self.limit, "no end within {:?}\n{}", self.limit, self.printed());
+    }
+
+    fn printed(&self) -> String {
+        ["stdout", "stderr"]
+            .map(|name| format!("--- {name}\n{}", fs::read_to_string(self.dir.path().join(name)).unwrap_or_default()))
+            .concat()
+    }
+}
+
+impl Drop for Job {
+    fn drop(&mut self) {
+        if let Ok(None) = self.child.try_wait() {
+            // mpirun gives every rank a process group of its own: killing mpirun's would leave them.
+            let ranks = descendants(self.child.id());
+            send(self.child.id(), libc::SIGKILL);
+            ranks.into_iter().for_each(|pid| send(pid, libc::SIGKILL));
+            let _ = self.child.wait();
+        }
+    }
+}
+
+/// What a job left.
+pub struct Output {
+    /// Exit code of mpirun, which is that of the first rank that did not end with 0.
+    pub code: Option<i32>,
+    pub stdout: String,
+    pub stderr: String,
+}
+
+impl Output {
+    /// Fails the test, showing what was printed, unless the job ended with `code`.
+    #[track_caller]
+    pub fn expect_code(self, code: i32) -> Self {
+        assert_eq!(self.code, Some(code), "exit code\n--- stdout\n{}\n--- stderr\n{}", self.stdout, self.stderr);
+        self
+    }
+}
+
+/// The processes that `pid` started, and those that they started.
+fn descendants(pid: u32) -> Vec<u32> {
+    let mut found: Vec<u32> = Vec::new();
+    let mut parents = vec![pid];
+    let all: Vec<(u32, u32)> = processes();
+    while let Some(parent) = parents.pop() {
+        let children = all.iter().filter(|(_, its_parent)| *its_parent == parent).map(|(child, _)| *child);
+        found.extend(children.clone());
+        parents.extend(children);
+    }
+    found
+}
+
+/// (process, its parent) of every process of this machine.
+fn processes() -> Vec<(u32, u32)> {
+    let numbers =
+        fs::read_dir("/proc").expect("/proc").flatten().filter_map(|entry| entry.file_name().to_str()?.parse().ok());
+    numbers
+        .filter_map(|pid: u32| {
+            // pid (name) state parent ...; the name may hold anything, brackets too.
+            let stat = fs::read_to_string(format!("/proc/{pid}/stat")).ok()?;
+            let parent = stat.rsplit_once(')')?.1.split_whitespace().nth(1)?.parse().ok()?;
+            Some((pid, parent))
+        })
+        .collect()
+}
+
+fn send(pid: u32, signal: i32) {
+    // SAFETY: only sends a signal; a process that has ended is no error here.
+    unsafe { libc::kill(pid as i32, signal) };
+}
+
+/// Runs `body` on `n` ranks. `name` is the path of the calling test: this executable starts itself again under mpirun with
+/// that test alone. Called there, it is a rank: it runs `body` and leaves word, so that a wrong name or an mpirun of another
+/// MPI, which would start `n` jobs of one rank each, fails the test.
+pub fn ranks(n: usize, name: &str, body: impl FnOnce(&Comm)) {
+    if let Some(dir) = std::env::var_os(RANK_DIR) {
+        let comm = Comm::start();
+        assert_eq!(comm.size(), n, "ranks in the world (does mpirun belong to the MPI that this was built with?)");
+        body(&comm);
+        fs::write(PathBuf::from(dir).join(comm.rank().to_string()), "").expect("a file that says this rank is done");
+        comm.finish();
+        return;
+    }
+    let done = tempfile::tempdir().expect("a temporary directory");
+    let executable = std::env::current_exe().expect("the path of this executable");
+    let args = [name, "--exact", "--nocapture", "--test-threads=1"];
+    let out = Launch::new(n, executable, &args).env(RANK_DIR, done.path()).limit(60).run().expect_code(0);
+    for rank in 0..n {
+        assert!(
+            done.path().join(rank.to_string()).exists(),
+            "rank {rank} did not run `{name}`\n{}{}",
+            out.stdout,
+            out.stderr
+        );
+    }
+}
+
+/// `summary.json` of a run.
+pub fn summary(run: &Path) -> serde_json::Value {
+    let path = run.join("summary.json");
+    let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    serde_json::from_str(&text).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+/// A small impact with all that can make ranks differ: strength, fracture, corrected gradient, h that follows density. It
+/// takes seconds and is long enough for lists to be rebuilt, particles to change ranks and the target to break.
+pub const IMPACT: &str = r#"
+title = "A small impact, to be compared"
+
+[[body]]
+name = "target"
+shape = { sphere = { radius = "1 km" } }
+material = "basalt"
+particles = 1400
+
+[[body]]
+name = "projectile"
+shape = { sphere = { radius = "400 m" } }
+material = "basalt"
+
+[impact]
+speed = "5 km/s"
+angle = "45 deg"
+
+[material.basalt.strength]
+yield = "von_mises"
+[material.basalt.fracture]
+model = "grady_kipp"
+seed = 1
+
+[numerics]
+corrected_gradient = true
+smoothing_length = { follows = "density" }
+
+[run]
+until = "2 s"
+
+[output]
+picture = false
+"#;
+
+/// Writes `scene` to a file of `dir`.
+pub fn write_scene(dir: &Path, scene: &str) -> PathBuf {
+    let path = dir.join("scene.toml");
+    fs::write(&path, scene).expect("a scene can be written");
+    path
+}

@@ -1,0 +1,7 @@
+//! All tests that need the whole program or several ranks, by topic, in one binary: it links once.
+
+mod architecture;
+mod common;
+mod errors;
+mod ranks;
+mod sameness;

@@ -1,0 +1,165 @@
+//! The same bits on any number of ranks and threads, with any vector width, and through a checkpoint at any moment.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::OnceLock;
+
+use serde_json::Value;
+
+use crate::common::{IMPACT, Launch, summary, write_scene};
+
+/// Where the runs of one comparison lie; emptied first.
+fn directory(name: &str) -> PathBuf {
+    let dir = Path::new(env!("CARGO_TARGET_TMPDIR")).join("sameness").join(name);
+    let _ = fs::remove_dir_all(&dir);
+    fs::create_dir_all(&dir).expect("a directory for runs");
+    dir
+}
+
+/// How a run of the impact is made.
+#[derive(Clone, Copy)]
+struct Way {
+    ranks: usize,
+    threads: usize,
+    /// Vector width, where it is not left to the program.
+    simd: Option<&'static str>,
+}
+
+impl Way {
+    fn new(ranks: usize, threads: usize) -> Self {
+        Self { ranks, threads, simd: None }
+    }
+
+    fn launch(self, dir: &Path, more: &[&str]) -> Launch {
+        let scene = write_scene(dir, IMPACT);
+        let (out, threads) = (dir.join("run"), self.threads.to_string());
+        let path = |p: &Path| p.to_str().expect("a plain path").to_owned();
+        let mut args = vec![path(&scene), "--out".into(), path(&out), "--threads".into(), threads];
+        args.extend(more.iter().map(|s| s.to_string()));
+        let launch = Launch::scene(self.ranks, &args);
+        match self.simd {
+            Some(width) => launch.env("SPH_MPI_SIMD", width),
+            None => launch,
+        }
+    }
+
+    /// Runs the impact to its end in `dir` and returns its summary.
+    fn run(self, dir: &Path) -> Value {
+        self.launch(dir, &[]).run().expect_code(0);
+        summary(&dir.join("run"))
+    }
+}
+
+/// The run that all others are compared with: one rank, one thread.
+fn reference() -> &'static (PathBuf, Value) {
+    static REFERENCE: OnceLock<(PathBuf, Value)> = OnceLock::new();
+    REFERENCE.get_or_init(|| {
+        let dir = directory("reference");
+        let summary = Way::new(1, 1).run(&dir);
+        (dir, summary)
+    })
+}
+
+/// A comparison of runs in which nothing happened would prove nothing.
+fn assert_eventful(name: &str, summary: &Value, ranks: usize) {
+    let at_least = |pointer: &str, least: f64| {
+        let value = summary.pointer(pointer).and_then(Value::as_f64);
+        assert!(
+            value.is_some_and(|v| v >= least),
+            "{name}: {pointer} of summary.json is {value:?}, not at least {least}"
+        );
+    };
+    at_least("/steps", 100.0);
+    at_least("/list_builds", 4.0);
+    at_least("/outcome/damaged_fraction", 0.01);
+    if ranks > 1 {
+        at_least("/migrated_particles", 1.0);
+        at_least("/rebisections", 1.0);
+    }
+}
+
+/// Equal to the reference by the hash, which covers the state of every particle, and byte for byte in the last checkpoint.
+fn assert_same(name: &str, dir: &Path, found: &Value) {
+    let (reference_dir, expected) = reference();
+    for key in ["particles", "steps", "pair_interactions", "state_hash", "outcome"] {
+        assert!(!expected[key].is_null(), "{key} is in summary.json");
+        assert_eq!(found[key], expected[key], "{key} of {name}");
+    }
+    let Some(python) = std::env::var_os("SPH_MPI_PYTHON") else {
+        println!("{name}: columns are not compared: SPH_MPI_PYTHON names no Python with h5py");
+        return;
+    };
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/columns.py");
+    let checkpoint = |dir: &Path| dir.join("run/checkpoint.h5");
+    let mut compare = Command::new(python);
+    let output =
+        compare.arg(script).args([checkpoint(reference_dir), checkpoint(dir)]).output().expect("Python starts");
+    let (said, error) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert!(output.status.success(), "{name}: {error}");
+    let words: Vec<&str> = said.split_whitespace().collect();
+    assert_eq!(words[0], expected["particles"].to_string(), "all particles were compared");
+    // The state of strong, fractured rock: id, position, velocity, density, energy, stress, damage, h at the least.
+    assert!(words[2].parse::<usize>().expect("a number") >= 8, "{said}");
+}
+
+#[track_caller]
+fn compare(name: &str, way: Way) {
+    let dir = directory(name);
+    let found = way.run(&dir);
+    assert_same(name, &dir, &found);
+    assert_eventful(name, &found, way.ranks);
+}
+
+#[test]
+fn ranks_and_threads() {
+    assert_eventful("reference", &reference().1, 1);
+    for ranks in 1..=4 {
+        for threads in 1..=2 {
+            if (ranks, threads) != (1, 1) {
+                compare(&format!("{ranks}_ranks_{threads}_threads"), Way::new(ranks, threads));
+            }
+        }
+    }
+}
+
+#[test]
+fn vector_widths() {
+    let here = [
+        ("portable", true),
+        ("avx2", is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")),
+        ("avx512", is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq")),
+    ];
+    for (width, available) in here {
+        if available {
+            compare(width, Way { simd: Some(width), ..Way::new(2, 1) });
+        } else {
+            println!("skipped: this processor has no {width}");
+        }
+    }
+}
+
+/// The fault `stop:RANK:STEP` sends the rank SIGUSR1 as it begins that step: the real path of a stop, at a known moment.
+#[test]
+fn checkpoint_and_resume_on_other_ranks() {
+    let steps = reference().1["steps"].as_u64().expect("steps in summary.json");
+    // Before the first list is worn out, amid the impact, near the end; and a run that stops twice.
+    let legs: [&[(u64, Way)]; 4] = [
+        &[(3, Way::new(1, 1)), (0, Way::new(3, 1))],
+        &[(steps / 3, Way::new(2, 1)), (0, Way::new(1, 2))],
+        &[(steps - 2, Way::new(4, 1)), (0, Way::new(2, 1))],
+        &[(steps / 4, Way::new(3, 1)), (steps / 2 + 1, Way::new(2, 2)), (0, Way::new(4, 1))],
+    ];
+    for (i, legs) in legs.iter().enumerate() {
+        let name = format!("resume_{i}");
+        let dir = directory(&name);
+        for (leg, (stop, way)) in legs.iter().enumerate() {
+            let launch = way.launch(&dir, if leg == 0 { &[] } else { &["--resume"] });
+            match stop {
+                0 => launch.run().expect_code(0),
+                step => launch.env("SPH_MPI_FAULT", format!("stop:0:{step}")).run().expect_code(75),
+            };
+        }
+        assert_same(&name, &dir, &summary(&dir.join("run")));
+    }
+}
