@@ -62,6 +62,8 @@ material_effects! {
     fracture::Fracture { fracture: Option<fracture::FractureTable> };
     /// The largest values that a particle has seen.
     record::Record;
+    /// Smoothing length that follows density.
+    smoothing_length::SmoothingLength;
 }
 
 impl MaterialTable {

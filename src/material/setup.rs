@@ -17,6 +17,8 @@ pub struct Setup<'a> {
     /// Damage that each body starts with, 0 to 1.
     pub initial_damage: &'a [f64],
     pub records: Records,
+    /// Bounds of a smoothing length that follows density; constant without.
+    pub smoothing_length: Option<super::smoothing_length::Bounds>,
 }
 
 impl Setup<'_> {

@@ -31,7 +31,7 @@ impl MaterialEffect for SmoothingLength {
         let value = registry.column(info("smoothing_length", "Smoothing length; the support is twice it.", false));
         let _at_build: Column<f64> =
             registry.column(info("build_smoothing_length", "Smoothing length at the last list build.", false));
-        let planar = setup.dimension == 2;
+        Some(Self { bounds, planar: setup.dimension == 2, value, density: core.density })
     }
 
     fn name(&self) -> &'static str {

@@ -82,6 +82,7 @@ impl Rig {
             constants: &constants,
             initial_damage: &initial_damage,
             records,
+            smoothing_length: None,
         };
         let mut registry = Registry::new(3);
         let (core, effects) = effects(&setup, &mut registry);

@@ -76,7 +76,7 @@ fn the_main_scene_is_what_it_says() {
 
 #[test]
 fn the_projectile_meets_the_target_at_the_angle_asked_for() {
-    for degrees in [0.0, 30.0, 75.0] {
+    for degrees in [0.0f64, 30.0, 75.0] {
         let scene = parse(IMPACT, &[&format!("impact.angle={degrees} deg"), "target.position=[\"1 km\", 0, \"-3 km\"]"]).unwrap();
         let [target, projectile] = &scene.bodies[..] else { panic!("two bodies") };
         assert_eq!(projectile.velocity, [-5000.0, 0.0, 0.0]);
