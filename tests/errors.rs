@@ -165,7 +165,7 @@ fn death_of_one_rank_ends_the_job() {
 
 /// Stops the impact by `stop` once it is under way, checks the end, resumes it and compares it with a run left alone.
 #[track_caller]
-fn assert_stop_and_resume(code: i32, stop: impl FnOnce(&crate::common::Job)) {
+fn assert_stop_and_resume(stop: impl FnOnce(&crate::common::Job)) {
     let dir = tempfile::tempdir().expect("a temporary directory");
     let scene = write_scene(dir.path(), IMPACT);
     let [whole, stopped] = ["whole", "stopped"].map(|name| dir.path().join(name));
@@ -182,7 +182,7 @@ fn assert_stop_and_resume(code: i32, stop: impl FnOnce(&crate::common::Job)) {
         fs::read_to_string(&history).is_ok_and(|text| text.lines().count() > 6)
     });
     stop(&job);
-    let output = job.wait().expect_code(code);
+    let output = job.wait().expect_code(STOPPED);
     assert!(!stopped.join("summary.json").exists(), "the run went to its end before it was stopped\n{}", output.stderr);
     assert!(stopped.join("checkpoint.h5").exists(), "{}", output.stderr);
     let left: Vec<_> = fs::read_dir(&stopped).expect("the run's directory").flatten().map(|e| e.file_name()).collect();
@@ -196,17 +196,11 @@ fn assert_stop_and_resume(code: i32, stop: impl FnOnce(&crate::common::Job)) {
 /// mpirun passes SIGUSR1 on to its ranks.
 #[test]
 fn usr1_to_mpirun_stops_with_a_checkpoint() {
-    assert_stop_and_resume(STOPPED, |job| job.signal(libc::SIGUSR1));
+    assert_stop_and_resume(|job| job.signal(libc::SIGUSR1));
 }
 
 /// As srun does, which starts the ranks itself.
 #[test]
 fn term_to_the_ranks_stops_with_a_checkpoint() {
-    assert_stop_and_resume(STOPPED, |job| job.signal_ranks(libc::SIGTERM));
-}
-
-/// As a user's kill or Ctrl-C: mpirun passes SIGTERM on, closes the ranks' output, and returns a code of its own.
-#[test]
-fn term_to_mpirun_stops_with_a_checkpoint() {
-    assert_stop_and_resume(1, |job| job.signal(libc::SIGTERM));
+    assert_stop_and_resume(|job| job.signal_ranks(libc::SIGTERM));
 }

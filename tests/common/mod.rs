@@ -31,7 +31,7 @@ impl Launch {
         let mut command = Command::new("mpirun");
         command.args(["-n", &ranks.to_string(), "--bind-to", "none"]).arg(program.as_ref()).args(args);
         command.env("OMPI_ALLOW_RUN_AS_ROOT", "1").env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
-        command.env("OMPI_MCA_rmaps_base_oversubscribe", "1").env("OMPI_MCA_odls_base_sigkill_timeout", "5");
+        command.env("OMPI_MCA_rmaps_base_oversubscribe", "1");
         // One thread, as long as a test asks for nothing else: `--threads` overrules it.
         command.env("RAYON_NUM_THREADS", "1");
         // A group of its own: a Ctrl-C at the terminal reaches the tests, which then end the job.
