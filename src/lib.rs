@@ -4,3 +4,6 @@ pub mod particles;
 pub mod random;
 pub mod domain;
 pub mod material;
+pub mod gravity;
+pub mod outcome;
+pub mod campaigns;
