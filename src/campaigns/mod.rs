@@ -1,0 +1,4 @@
+//! Runs that answer one question together.
+
+pub mod bracket;
+pub mod fit;

@@ -1,0 +1,296 @@
+//! Gravity and outcomes on 1, 2, 3 and 4 ranks: against direct sums and exact answers, and bit for bit against each other.
+//!
+//! A test started plainly runs itself again under mpirun for each number of ranks; every run prints a digest of its results
+//! and all digests must agree. Particles are dealt out to ranks by slabs, with some astray, so that fragments and cells are cut.
+
+use std::io::Read;
+use std::process::{Command, Stdio};
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+use sph_mpi::domain::comm::Comm;
+use sph_mpi::gravity::{Acceleration, Field, G, Opening, Potential, Source, Target, Tree};
+use sph_mpi::math::Vec3;
+use sph_mpi::outcome::{Evaluation, Particle, Question, distributions::distributions, evaluate, fragments};
+use sph_mpi::random::uniform;
+
+const RANKS: &str = "SPH_MPI_TEST_RANKS";
+const TIME_LIMIT: Duration = Duration::from_secs(120);
+static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
+
+/// Runs `body` on 1 to 4 ranks and compares what it returns on rank 0.
+fn on_ranks(test: &str, body: impl Fn(&Comm) -> String) {
+    if let Ok(expected) = std::env::var(RANKS) {
+        let comm = Comm::start();
+        assert_eq!(comm.size().to_string(), expected, "mpirun of another MPI");
+        let digest = body(&comm);
+        if comm.is_root() {
+            println!("digest {}", blake3::hash(digest.as_bytes()));
+        }
+        comm.finish();
+        return;
+    }
+    let _lock = ONE_AT_A_TIME.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    let digests: Vec<String> = (1..=4).map(|ranks| digest_of(test, ranks)).collect();
+    assert!(digests.iter().all(|digest| *digest == digests[0]), "{test}: ranks differ: {digests:?}");
+}
+
+fn digest_of(test: &str, ranks: usize) -> String {
+    let executable = std::env::current_exe().expect("a test knows its executable");
+    let mut child = Command::new("mpirun")
+        .args(["-n", &ranks.to_string()])
+        .arg(executable)
+        .args([test, "--exact", "--nocapture"])
+        .env(RANKS, ranks.to_string())
+        .env("RAYON_NUM_THREADS", (1 + ranks % 2).to_string())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("mpirun starts");
+    let started = Instant::now();
+    let mut stdout = child.stdout.take().expect("stdout is piped");
+    let reader = std::thread::spawn(move || {
+        let mut text = String::new();
+        stdout.read_to_string(&mut text).map(|_| text)
+    });
+    let status = loop {
+        if let Some(status) = child.try_wait().expect("the child can be waited for") {
+            break status;
+        }
+        if started.elapsed() > TIME_LIMIT {
+            let _ = child.kill();
+            panic!("{test} on {ranks} ranks did not end within {TIME_LIMIT:?}");
+        }
+        std::thread::sleep(Duration::from_millis(20));
+    };
+    let text = reader.join().expect("the reader ends").expect("output is text");
+    assert!(status.success(), "{test} failed on {ranks} ranks:\n{text}");
+    let line = text.lines().find_map(|line| line.split("digest ").nth(1));
+    line.unwrap_or_else(|| panic!("{test} on {ranks} ranks printed no digest:\n{text}")).to_string()
+}
+
+/// Whether this rank holds something at `x` in [-1, 1]: slabs, with one in twenty astray.
+fn is_mine(comm: &Comm, id: u64, x: f64) -> bool {
+    let astray = uniform(77, id, 0) < 0.05;
+    let place = if astray { uniform(77, id, 1) } else { (0.5 * (x + 1.0)).clamp(0.0, 0.999_999) };
+    (place * comm.size() as f64) as usize == comm.rank()
+}
+
+/// All ranks' (id, words) on rank 0, as text in order of id.
+fn collected(comm: &Comm, records: Vec<(u64, Vec<u64>)>) -> String {
+    let words = records.iter().flat_map(|(id, w)| [&[*id, w.len() as u64], w.as_slice()].concat()).collect();
+    let mut all: Vec<(u64, Vec<u64>)> = Vec::new();
+    for (_, words) in comm.sparse_exchange(vec![(0, words)]) {
+        let mut rest = words.as_slice();
+        while let [id, n, after @ ..] = rest {
+            all.push((*id, after[..*n as usize].to_vec()));
+            rest = &after[*n as usize..];
+        }
+    }
+    all.sort();
+    format!("{all:?}")
+}
+
+/// A dense ball with a sparse cloud around it and a distant clump: cells of many sizes.
+fn sources(n: u64) -> Vec<Source> {
+    let source = |id: u64| {
+        let (size, at) = match id % 10 {
+            0..6 => (0.2, Vec3::new(0.1, -0.2, 0.05)),
+            6..9 => (1.0, Vec3::zeros()),
+            _ => (0.02, Vec3::new(-0.7, 0.6, 0.3)),
+        };
+        let d = Vec3::from_fn(|k, _| size * (2.0 * uniform(5, id, k as u64) - 1.0));
+        Source { id, position: (at + d).into(), mass: 1.0 + uniform(5, id, 3), softening: 0.02 * size }
+    };
+    (0..n).map(source).collect()
+}
+
+fn direct<F: Field>(all: &[Source], target: &Target) -> F {
+    let mut field = F::default();
+    for s in all.iter().filter(|s| s.id != target.id) {
+        field.add_body(s.mass, s.softening.max(target.softening), &(target.position - Vec3::from(s.position)));
+    }
+    field
+}
+
+/// Relative error of the potential below 1e-3 everywhere at an opening angle of 0.5, below 1e-4 at 0.2; that of the
+/// acceleration below 1e-2 of the mean magnitude.
+#[test]
+fn tree_agrees_with_direct_sum() {
+    on_ranks("tree_agrees_with_direct_sum", |comm| {
+        let all = sources(3000);
+        let mine: Vec<Source> = all.iter().copied().filter(|s| is_mine(comm, s.id, s.position[0])).collect();
+        let targets: Vec<Target> = mine.iter().map(Target::from).collect();
+        let mut records = Vec::new();
+        for (angle, allowed) in [(0.5, 1e-3), (0.2, 1e-4)] {
+            let tree = Tree::build(comm, &mine, &targets, Opening::new(angle));
+            let potentials = tree.fields::<Potential>(&targets);
+            let accelerations = tree.fields::<Acceleration>(&targets);
+            for ((target, found), pull) in targets.iter().zip(&potentials).zip(&accelerations) {
+                let exact = direct::<Potential>(&all, target).0;
+                assert!((found.0 / exact - 1.0).abs() < allowed, "angle {angle}: {} {exact}", found.0);
+                let exact_pull = direct::<Acceleration>(&all, target).0;
+                assert!((pull.0 - exact_pull).norm() < 1e-2 * G * 4500.0, "angle {angle}");
+                let words = [found.0, pull.0.x, pull.0.y, pull.0.z].map(f64::to_bits);
+                records.push((target.id, words.to_vec()));
+            }
+        }
+        collected(comm, records)
+    });
+}
+
+/// No sources at all, one source, and sources at one place.
+#[test]
+fn odd_trees() {
+    on_ranks("odd_trees", |comm| {
+        let target = Target { id: Target::NOBODY, position: Vec3::new(3.0, 4.0, 0.0), softening: 0.1 };
+        let field = |sources: &[Source]| {
+            Tree::build(comm, sources, &[target], Opening::default()).field::<Potential>(&target).0
+        };
+        assert_eq!(field(&[]), 0.0);
+        let one = |id| Source { id, position: [0.0; 3], mass: 2.0, softening: 0.1 };
+        let root_only = |sources: Vec<Source>| if comm.is_root() { sources } else { Vec::new() };
+        assert!((field(&root_only(vec![one(0)])) / (-2.0 * G / 5.0) - 1.0).abs() < 1e-15);
+        let heap = field(&root_only((0..100).map(one).collect()));
+        assert!((heap / (-200.0 * G / 5.0) - 1.0).abs() < 1e-14);
+        heap.to_bits().to_string()
+    });
+}
+
+const SPACING: f64 = 100.0;
+
+/// A particle on the cubic lattice of spacing 100 m, density 2700.
+fn particle(id: u64, site: [i64; 3], velocity: Vec3, damage: f64) -> Particle {
+    let position = Vec3::from_fn(|k, _| SPACING * site[k] as f64);
+    let volume = SPACING * SPACING * SPACING;
+    Particle { id, position, velocity, mass: 2700.0 * volume, volume, spacing: SPACING, damage }
+}
+
+fn share(comm: &Comm, all: &[Particle], half_width: f64) -> Vec<Particle> {
+    all.iter().copied().filter(|p| is_mine(comm, p.id, p.position.x / half_width)).collect()
+}
+
+fn digest(comm: &Comm, evaluation: &Evaluation) -> String {
+    let tables = distributions(comm, evaluation, 3);
+    let words = |p: &sph_mpi::outcome::Piece| {
+        let numbers = [p.mass, p.position.x, p.position.y, p.position.z, p.velocity.x, p.velocity.y, p.velocity.z];
+        [&[p.count][..], &numbers.map(f64::to_bits)].concat()
+    };
+    let pieces = collected(comm, evaluation.pieces.iter().map(|p| (p.label, words(p))).collect());
+    if !comm.is_root() {
+        return String::new();
+    }
+    let summary = serde_json::to_string(&evaluation.outcome).expect("an outcome is plain data");
+    [pieces, summary, tables.fragments, tables.sizes, tables.velocities].join("\n")
+}
+
+/// A rod that winds through all slabs several times, a block, and dust between: labels have to travel far.
+#[test]
+fn fragments_across_ranks() {
+    on_ranks("fragments_across_ranks", |comm| {
+        let mut all = Vec::new();
+        let mut id = 5000;
+        let mut put = |site: [i64; 3], damage: f64| {
+            id = (id * 7 + 3) % 9973; // ids without relation to place
+            all.push(particle(id, site, Vec3::zeros(), damage));
+        };
+        for row in 0..6 {
+            (-40..=40).for_each(|x| put([x, 4 * row, 0], 0.89));
+            if row < 5 {
+                let turn = if row % 2 == 0 { 40 } else { -40 };
+                (1..4).for_each(|y| put([turn, 4 * row + y, 0], 0.0));
+            }
+        }
+        let rod = 6 * 81 + 15;
+        (0..27).for_each(|k| put([k / 9 - 20, k / 3 % 3 + 2, k % 3 + 20], 0.1));
+        (-40..=40).for_each(|x| put([x, 2, 1], 0.9));
+        let mine = share(comm, &all, 40.0 * SPACING);
+        let labels = fragments::labels(comm, &mine, 0.9);
+        for (p, label) in mine.iter().zip(&labels) {
+            let at = all.iter().position(|q| q.id == p.id).unwrap();
+            let smallest = |range: std::ops::Range<usize>| all[range].iter().map(|q| q.id).min();
+            let expected = match at {
+                at if at < rod => smallest(0..rod),
+                at if at < rod + 27 => smallest(rod..rod + 27),
+                _ => None,
+            };
+            assert_eq!(*label, expected, "{at}");
+        }
+        let question = Question { dimension: 2, target_mass: 1e12, opening: Opening::default() };
+        let evaluation = evaluate(comm, &mine, &question);
+        assert_eq!(evaluation.outcome.fragments, 2);
+        let mass = all[0].mass;
+        assert!((evaluation.outcome.largest_fragment_fraction * 1e12 / (rod as f64 * mass) - 1.0).abs() < 1e-14);
+        digest(comm, &evaluation)
+    });
+}
+
+/// Rubble, a chip that leaves, and a second ball: the larger ball is bound although nothing in it is intact.
+#[test]
+fn rubble_is_bound_and_fast_ejecta_are_not() {
+    on_ranks("rubble_is_bound_and_fast_ejecta_are_not", |comm| {
+        let ball = |radius: i64| {
+            let side = -radius..=radius;
+            let sites = side.clone().flat_map(move |x| {
+                let side = side.clone();
+                side.clone().flat_map(move |y| side.clone().map(move |z| [x, y, z]))
+            });
+            sites.filter(move |s| s.iter().map(|c| c * c).sum::<i64>() <= radius * radius)
+        };
+        let mut all: Vec<Particle> = Vec::new();
+        let mut put = |site, velocity, damage| all.push(particle(all.len() as u64, site, velocity, damage));
+        // v_esc of the ball: R sqrt(8 pi G rho / 3) = 800 * 1.23e-3 = 0.98 m/s; it expands at a third of that.
+        let escape = 800.0 * (8.0 / 3.0 * std::f64::consts::PI * G * 2700.0).sqrt();
+        for site in ball(8) {
+            let outward = Vec3::from_fn(|k, _| site[k] as f64 / 8.0);
+            put(site, outward * (escape / 3.0), 1.0);
+        }
+        let in_large = ball(8).count();
+        // A second ball of half the size, flying off at ten times the speed of escape.
+        for [x, y, z] in ball(4) {
+            put([x + 60, y, z], Vec3::new(10.0 * escape, 0.0, 0.0), 1.0);
+        }
+        let in_small = ball(4).count();
+        // An intact chip at the surface that is faster than escape, and one that is slower.
+        (0..2).for_each(|k| put([0, 12, k], Vec3::new(0.0, 2.0 * escape, 0.0), 0.0));
+        (0..2).for_each(|k| put([0, -12, k], Vec3::new(0.0, -0.5 * escape, 0.0), 0.0));
+        let mine = share(comm, &all, 65.0 * SPACING);
+        let mass = all[0].mass;
+        let target_mass = mass * in_large as f64;
+        let evaluation = evaluate(comm, &mine, &Question { dimension: 3, target_mass, opening: Opening::default() });
+        let outcome = &evaluation.outcome;
+        let expected = (in_large + 2) as f64 / in_large as f64;
+        assert!((outcome.largest_remnant_fraction - expected).abs() < 1e-12, "{outcome:?} {expected}");
+        assert!((outcome.second_remnant_fraction - in_small as f64 / in_large as f64).abs() < 1e-12, "{outcome:?}");
+        assert!((outcome.unbound_mass / mass - (in_small + 2) as f64).abs() < 1e-9);
+        assert_eq!(outcome.fragments, 2);
+        assert!((outcome.largest_fragment_fraction - 2.0 / in_large as f64).abs() < 1e-15);
+        digest(comm, &evaluation)
+    });
+}
+
+/// Two fragments of a solid target that separate slowly are one remnant, and two when they are fast: two-body energy.
+#[test]
+fn two_halves_obey_two_body_energy() {
+    on_ranks("two_halves_obey_two_body_energy", |comm| {
+        let mut fractions = Vec::new();
+        for factor in [0.98, 1.02] {
+            let mut all: Vec<Particle> = Vec::new();
+            let (n, gap) = (6i64, 40i64);
+            let half_mass = (n * n * n) as f64 * 2700.0 * SPACING * SPACING * SPACING;
+            let escape = (2.0 * G * 2.0 * half_mass / (gap as f64 * SPACING)).sqrt();
+            for k in 0..2 * n * n * n {
+                let (block, site) = (k / (n * n * n), k % (n * n * n));
+                let position = [site / (n * n) + gap * block - 23, site / n % n, site % n];
+                let speed = factor * escape * (block as f64 - 0.5);
+                all.push(particle(k as u64, position, Vec3::new(speed, 0.0, 0.0), 0.0));
+            }
+            let mine = share(comm, &all, 25.0 * SPACING);
+            let question = Question { dimension: 3, target_mass: 2.0 * half_mass, opening: Opening::default() };
+            let outcome = evaluate(comm, &mine, &question).outcome;
+            assert!((outcome.largest_fragment_fraction - 0.5).abs() < 1e-14);
+            fractions.push(outcome.largest_remnant_fraction);
+        }
+        assert!((fractions[0] - 1.0).abs() < 1e-14 && (fractions[1] - 0.5).abs() < 1e-14, "{fractions:?}");
+        format!("{fractions:?}")
+    });
+}
