@@ -277,6 +277,11 @@ fn write(f: &mut fmt::Formatter<'_>, value: f64, dimension: Dimension) -> fmt::R
 
 impl<const L: i8, const M: i8, const T: i8> Quantity<L, M, T> {
     const DIMENSION: Dimension = Dimension([L, M, T, 0]);
+
+    /// From a number of SI units.
+    pub const fn new(si: f64) -> Self {
+        Self(si)
+    }
 }
 
 impl<const L: i8, const M: i8, const T: i8> fmt::Display for Quantity<L, M, T> {
