@@ -1,4 +1,4 @@
-//! Continuity: d rho / dt = -rho div v = -rho tr L (Jutzi et al. 2008, eq. 29).
+//! Continuity: d rho / dt = -rho div v = -rho tr L (Jutzi et al. 2008, eq. 26).
 //!
 //! rho bulk density, kg/m^3; L velocity gradient, 1/s.
 //! Columns: acts on the core column `density`, owns none.

@@ -182,7 +182,8 @@ pub struct Diagnostic {
 
 /// Local physics. Methods are called once per chunk; each loops over the particles its bodies have it for.
 pub trait MaterialEffect: Send + Sync {
-    /// Declares the columns of the effect, or `None` where no material of the scene asks for it: then nothing of it exists.
+    /// Declares the columns of the effect, or `None` where no material of the scene asks for it: then nothing of it
+    /// exists.
     fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Option<Self>
     where
         Self: Sized;

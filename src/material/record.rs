@@ -2,11 +2,12 @@
 //!
 //! ```text
 //! peak pressure     max P over all steps
-//! melt fraction     largest of clamp((u - u_melt) / (E_iv - u_melt), 0, 1); 1 from E_iv on where there is no u_melt below it
+//! melt fraction     largest of clamp((u - u_melt) / (E_iv - u_melt), 0, 1); a step at E_iv without melting strength
 //! vapour fraction   largest of clamp((u - E_iv) / (E_cv - E_iv), 0, 1)
 //! ```
-//! P pressure, Pa; u specific internal energy, u_melt energy at which strength is gone (`strength.melting`), E_iv and E_cv
-//! energies of incipient and complete vaporisation (Tillotson), J/kg. Matter that turned into vapour counts as melted too.
+//! P pressure, Pa; u specific internal energy, u_melt energy at which strength is gone (`strength.melting`), E_iv and
+//! E_cv energies of incipient and complete vaporisation (Tillotson), J/kg. Matter that turned into vapour counts as
+//! melted too.
 //!
 //! Columns: owns `peak_pressure`, `melt_fraction`, `vapour_fraction`. Time step: none.
 

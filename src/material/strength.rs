@@ -3,12 +3,13 @@
 //! ```text
 //! dS/dt = 2 mu (e - tr(e)/3) + Omega S - S Omega     Jutzi et al. 2008, eqs 31-32 with the sign of the spin corrected
 //! e = (L + L^T)/2    Omega = (L - L^T)/2
-//! S -> S min(1, Y / sqrt(3 J2))    J2 = S:S / 2      Benz & Asphaug 1995, eq. 9, with the first power of Y / sqrt(3 J2)
+//! S -> S min(1, Y / sqrt(3 J2))    J2 = S:S / 2      Benz & Asphaug 1995, with the first power of Y / sqrt(3 J2)
 //! Y = Y_0 max(0, 1 - u / u_melt)                     where `melting` is asked for
 //! c_L^2 = c^2 + 4 mu / (3 rho)
 //! ```
-//! S deviatoric stress, mu shear modulus, Y yield strength, Pa; e strain rate, Omega spin, 1/s; u specific internal energy,
-//! J/kg; c, c_L bulk and longitudinal speed of sound, m/s. In 2D this is plane strain: S_zz = -(S_xx + S_yy) counts in J2.
+//! S deviatoric stress, mu shear modulus, Y yield strength, Pa; e strain rate, Omega spin, 1/s; u specific internal
+//! energy, J/kg; c, c_L bulk and longitudinal speed of sound, m/s. In 2D this is plane strain: S_zz = -(S_xx + S_yy)
+//! counts in J2.
 //!
 //! S is the stress of the undamaged matter: damage is a view of it (see `fracture`) and is never written back.
 //! Columns: owns `deviatoric_stress`; stiffens the core column `sound_speed`.
@@ -26,9 +27,11 @@ use crate::units::{Pressure, SpecificEnergy};
 /// Name of the column that this effect owns.
 pub const DEVIATORIC_STRESS: &str = "deviatoric_stress";
 
-/// A stress this little beyond the yield surface was put there by rounding and stays, so that a second return changes no bit.
+/// A stress this little beyond the yield surface was put there by rounding and stays, so that a second return changes
+/// no bit.
 const ROUNDING: f64 = 1e-14;
-/// Largest volume of a particle in the pair sums over the one it starts with; it bounds the speed of shear waves in spray.
+/// Largest volume of a particle in the pair sums over the one it starts with; it bounds the speed of shear waves in
+/// spray.
 const LARGEST_VOLUME: f64 = 2.0;
 
 /// `[material.X.strength]`
@@ -224,8 +227,9 @@ mod tests {
         assert_eq!(solid.returned(&stress, 5e6), Some(Deviator::default()));
     }
 
-    /// A rigid rotation by 45 degrees turns diag(1, -1, 0) into S_xy = 1 and keeps J2. The scheme turns by z = 2 dtheta per
-    /// step with a phase error of order z^3, so that the sum stays below z^2 times the angle turned in the stress's plane.
+    /// A rigid rotation by 45 degrees turns diag(1, -1, 0) into S_xy = 1 and keeps J2. The scheme turns by z = 2 dtheta
+    /// per step with a phase error of order z^3, so that the sum stays below z^2 times the angle turned in the stress's
+    /// plane.
     #[test]
     fn rotation_turns_stress_and_keeps_j2() {
         let mut rig = Rig::new(without_fracture(basalt()));

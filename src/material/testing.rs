@@ -1,4 +1,5 @@
-//! A rig for tests: one particle per body, driven by a given velocity gradient with the predictor-corrector of the step loop.
+//! A rig for tests: one particle per body, driven by a given velocity gradient with the predictor-corrector of the step
+//! loop.
 
 use std::cell::Cell;
 

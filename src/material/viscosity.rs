@@ -1,5 +1,5 @@
-//! Coefficients of the artificial viscosity, per material. The pair loop holds the formula: for approaching pairs
-//! Pi = (-alpha c mu + beta mu^2) / rho, mu = h v.x / (r^2 + 0.01 h^2) (Monaghan 1992, eqs 4.1-4.2), with alpha and beta as
+//! Coefficients of the artificial viscosity, per material. The pair loop holds the formula: for approaching pairs Pi =
+//! (-alpha c mu + beta mu^2) / rho, mu = h v.x / (r^2 + 0.01 h^2) (Monaghan & Gingold 1983), with alpha and beta as
 //! means over the pair.
 
 use serde::{Deserialize, Serialize};

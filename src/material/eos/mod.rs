@@ -1,5 +1,5 @@
 //! Equation of state: pressure and bulk speed of sound from density and internal energy, and the energy itself:
-//! du/dt = sigma : L / rho + viscous heating (Jutzi et al. 2008, eq. 30), summed by the pair loop as the counterpart of
+//! du/dt = sigma : L / rho + viscous heating (Jutzi et al. 2008, eq. 29), summed by the pair loop as the counterpart of
 //! the momentum sums.
 //!
 //! u specific internal energy, J/kg; P pressure, Pa; c speed of sound, m/s.

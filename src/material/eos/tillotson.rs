@@ -1,4 +1,4 @@
-//! Tillotson (1962), as Jutzi et al. 2008, eqs 62-63, after Melosh 1989, appendix II:
+//! Tillotson (1962): P_c as Jutzi et al. 2008, eq. 62; P_e and the mixture as Melosh 1989, appendix II.
 //!
 //! ```text
 //! eta = rho / rho_0    mu = eta - 1    nu = 1 / eta - 1    omega = 1 + u / (E_0 eta^2)
@@ -7,14 +7,14 @@
 //! between:                 P = [(u - E_iv) P_e + (E_cv - u) P_c] / (E_cv - E_iv)
 //! c^2 = dP/drho + P / rho^2 dP/du
 //! ```
-//! P pressure, A and B moduli, Pa; rho density, rho_0 reference density, kg/m^3; u specific internal energy, E_0 a constant,
-//! E_iv and E_cv energies of incipient and complete vaporisation, J/kg; a, b, alpha, beta pure numbers.
+//! P pressure, A and B moduli, Pa; rho density, rho_0 reference density, kg/m^3; u specific internal energy, E_0 a
+//! constant, E_iv and E_cv energies of incipient and complete vaporisation, J/kg; a, b, alpha, beta pure numbers.
 //!
 //! The published form fails in expansion, where it was never fitted; three guards, each outside the range of the fit:
 //! - B mu^2 is dropped for mu < 0 where B > 2 A (nylon, water): it makes cold matter below eta = 1 - A/B explode.
-//! - Tension fades linearly between eta = 0.95 and 0.85. The formula pulls harder and harder down to eta = 0.5 (with A/4);
-//!   a solid does not. The strongest pull that is left, 0.056 A at most, is a few times the spall strength of metals, and rock
-//!   breaks at strains of 1e-3, so that solids are limited by their own fracture and never by this.
+//! - Tension fades linearly between eta = 0.95 and 0.85. The formula pulls harder and harder down to eta = 0.5 (with
+//!   A/4); a solid does not. The strongest pull that is left, 0.056 A at most, is a few times the spall strength of
+//!   metals, and rock breaks at strains of 1e-3, so that solids are limited by their own fracture and never by this.
 //! - c^2 >= A / (4 rho_0), as c^2 < 0 in half of the expanded states.
 
 use serde::{Deserialize, Serialize};
@@ -241,7 +241,8 @@ mod tests {
         }
     }
 
-    /// Points in all branches: compressed cold and hot, expanded cold with full, fading and no tension, mixture, vapour.
+    /// Points in all branches: compressed cold and hot, expanded cold with full, fading and no tension, mixture,
+    /// vapour.
     const POINTS: [(f64, f64); 12] = [
         (1.3, 0.0),
         (1.5, 5e6),
@@ -257,8 +258,8 @@ mod tests {
         (0.01, 4e7),
     ];
 
-    /// Central differences with a relative step s have an error of order s^2; 1e-4 of the natural scale is far above it and
-    /// far below what a wrong term would make.
+    /// Central differences with a relative step s have an error of order s^2; 1e-4 of the natural scale is far above it
+    /// and far below what a wrong term would make.
     #[test]
     fn derivatives_agree_with_differences() {
         for law in [law(basalt()), law(nylon())] {
@@ -312,8 +313,8 @@ mod tests {
         assert!((c - (26.7e9f64 / 2700.0).sqrt()).abs() < 1e-9);
     }
 
-    /// REFERENCE 1.2, 'Trap': cold nylon below eta = 0.70 must not push. The pull A (1 - eta) (eta - 0.85) / 0.1, which B > 0
-    /// only weakens, is largest at eta = 0.925: 0.05625 A.
+    /// REFERENCE 1.2, 'Trap': cold nylon below eta = 0.70 must not push. The pull A (1 - eta) (eta - 0.85) / 0.1, which
+    /// B > 0 only weakens, is largest at eta = 0.925: 0.05625 A.
     #[test]
     fn cold_expanded_matter_never_pushes_and_never_pulls_far() {
         let rounding = 1.0 + 1e-12;

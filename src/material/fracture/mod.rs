@@ -1,25 +1,22 @@
 //! Fracture by the growth of flaws (Grady & Kipp 1980, as Benz & Asphaug 1995; Jutzi et al. 2008, eqs 34-39).
 //!
 //! ```text
-//! n(<eps) = k eps^m                              flaws per volume that are active below a strain (Weibull)
-//! eps_j = (Gamma_j / (k V))^(1/m)                thresholds of a particle's flaws, j = 1, 2, ...
 //! eps = sigma_1 / ((1 - D) E_Y)                  local strain;  E_Y = 9 K mu / (3 K + mu)
 //! d D^(1/3) / dt = n_act^(1/3) c_g / R_s         while eps > eps_1, up to D = n_act / n_tot
 //! c_g = 0.4 c_L    c_L^2 = (K + 4/3 mu) / rho_0    R_s = 2h
 //! ```
-//! D damage, the share of a particle's volume that its cracks have relieved of stress; sigma_1 largest principal value of
-//! the damaged stress, K, mu, E_Y bulk, shear and Young's modulus, Pa; k Weibull constant, 1/m^3, m its exponent; V volume
-//! of a particle at the start, m^3; n_act, n_tot its active flaws and all its flaws; c_g speed of a crack, m/s; R_s radius
-//! of the particle's kernel at the start, m.
+//! D damage, the share of a particle's volume that its cracks have relieved of stress; sigma_1 largest principal value
+//! of the damaged stress, K, mu, E_Y bulk, shear and Young's modulus, Pa; eps_1 threshold of the particle's weakest
+//! flaw, n_act and n_tot its active flaws and all its flaws; c_g speed of a crack, m/s; R_s radius of the particle's
+//! kernel at the start, m.
 //!
-//! The original assignment gives flaws to particles one by one until each has one, which needs all particles. Here the
-//! flaws of a particle are a Poisson process of its own: Gamma_j is the sum of j exponential draws that depend only on
-//! (seed, id), and the process ends at k V eps^m = ln N + 0.577, the mean number of flaws per particle of the original
-//! among N; a particle has at least one. Only the weakest flaw is stored, the others are drawn again when needed.
+//! How many flaws a particle has, and at which strains they open, see `flaws`.
 //!
 //! Damage acts through a view of the stress, [`damaged_stress`], and is never written back into it.
 //! Columns: owns `damage` and `activation_threshold`. D grows in `update` alone and never decreases.
 //! Time step: none; at a Courant number of 0.25 and with 12 active flaws D^(1/3) grows by 0.11 per step.
+
+mod flaws;
 
 use serde::{Deserialize, Serialize};
 
@@ -28,16 +25,14 @@ use super::{Core, Diagnostic, Local, MaterialEffect, MaterialTable, PerBody, Set
 use crate::error::{Error, Result};
 use crate::math::{Deviator, Sym};
 use crate::particles::{Column, ColumnInfo, Columns, Life, ParticleId, Registry};
-use crate::random::uniform_pair;
 use crate::units::{Number, NumberDensity};
+use flaws::Flaws;
 
 /// Name of the column that the pair loop reads.
 pub const DAMAGE: &str = "damage";
 
 /// Crack speed over the longitudinal speed of sound.
 const CRACK_SPEED: f64 = 0.4;
-/// Euler's constant, to the digits of the original assignment's mean.
-const EULER: f64 = 0.577;
 
 /// `[material.X.fracture]`
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -77,60 +72,14 @@ impl Table for FractureTable {
     }
 }
 
-/// The stress that acts, where `s` and `pressure` are those of undamaged matter: (1 - D) S - P_D 1, with P_D = (1 - D) P in
-/// tension and P in compression (Jutzi et al. 2008, eqs 36-37). The pair sums and their energy use this view.
+/// The stress that acts, where `s` and `pressure` are those of undamaged matter: (1 - D) S - P_D 1, with P_D = (1 - D)
+/// P in tension and P in compression (Jutzi et al. 2008, eq. 36, for tension). The pair sums and their energy use this
+/// view.
 #[inline]
 pub fn damaged_stress(s: &Deviator, pressure: f64, damage: f64) -> Sym {
     let intact = 1.0 - damage;
     let damaged_pressure = if pressure < 0.0 { intact * pressure } else { pressure };
     s.with_mean(intact, -damaged_pressure)
-}
-
-/// What the flaws of a body's particles have in common. Logarithms, as k V may be 1e61.
-#[derive(Debug, Clone, Copy)]
-struct Flaws {
-    seed: u64,
-    m: f64,
-    ln_kv: f64,
-    /// k V eps^m at which the process ends: the mean number of flaws.
-    mean: f64,
-    ln_mean: f64,
-}
-
-impl Flaws {
-    /// Flaws of particles of `volume`, m^3, of which the body has `particles`.
-    fn new(table: &FractureTable, volume: f64, particles: u64) -> Self {
-        let mean = libm::log(particles as f64) + EULER;
-        let ln_kv = libm::log(table.weibull_k.0) + libm::log(volume);
-        Self { seed: table.seed, m: table.weibull_m.0, ln_kv, mean, ln_mean: libm::log(mean) }
-    }
-
-    /// Strain at which the weakest flaw of a particle begins to grow.
-    fn weakest(&self, id: ParticleId) -> f64 {
-        let gamma = -libm::log(uniform_pair(self.seed, id.0, 0)[0]);
-        libm::exp((libm::log(gamma) - self.ln_kv) / self.m)
-    }
-
-    /// Flaws that are active at a strain above the weakest threshold, and all flaws of the particle.
-    fn count(&self, id: ParticleId, strain: f64) -> (u32, u32) {
-        let ln_intensity = self.ln_kv + self.m * libm::log(strain);
-        let intensity = if ln_intensity < self.ln_mean { libm::exp(ln_intensity) } else { self.mean };
-        // Gamma_j <= x where the product of the first j draws is at least exp(-x): no logarithm per flaw.
-        let (active_product, last_product) = (libm::exp(-intensity), libm::exp(-self.mean));
-        let (mut active, mut total, mut product, mut pair) = (0, 0, 1.0, 0);
-        'draws: loop {
-            for draw in uniform_pair(self.seed, id.0, pair) {
-                product *= draw;
-                if product < last_product {
-                    break 'draws;
-                }
-                total += 1;
-                active += u32::from(product >= active_product);
-            }
-            pair += 1;
-        }
-        (active.max(1), total.max(1))
-    }
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -262,86 +211,19 @@ impl MaterialEffect for Fracture {
 
 #[cfg(test)]
 mod tests {
+    use super::super::BodyConstants;
     use super::super::testing::{Rig, basalt, gas, without_fracture};
     use super::*;
     use crate::math::Mat3;
-    use crate::units::Quantity;
+    use crate::random::uniform_pair;
 
-    /// Flaws of one of `particles` of 1 mm^3, with the constants of Benz & Asphaug 1999.
+    /// The flaws of one of `particles` of 1 mm^3.
     fn flaws(particles: u64) -> Flaws {
         Flaws::new(&basalt().fracture.unwrap(), 1e-9, particles)
     }
 
     fn total(flaws: &Flaws, site: u64) -> u32 {
         flaws.count(ParticleId::new(0, site), 1.0).1
-    }
-
-    /// The total is a Poisson number of mean N (ln N + 0.577), plus the flaw given to the fraction exp(-mean) that draws
-    /// none: four standard deviations, far inside the 1.3 N by which the original assignment scatters.
-    #[test]
-    fn number_of_flaws_is_that_of_the_original_assignment() {
-        for n in [1000u64, 10_000] {
-            let flaws = flaws(n);
-            let sum: u64 = (0..n).map(|site| total(&flaws, site) as u64).sum();
-            let expected = n as f64 * flaws.mean;
-            assert!((sum as f64 - expected).abs() < 4.0 * expected.sqrt() + 2.0, "{n}: {sum} {expected}");
-            assert!((sum as f64 - expected).abs() < 1.3 * n as f64);
-        }
-    }
-
-    /// n(<eps) V = k V eps^m: the number of active flaws at a strain, again a Poisson number.
-    #[test]
-    fn active_flaws_follow_weibull() {
-        let n = 10_000;
-        let flaws = flaws(n);
-        for intensity in [0.5f64, 2.0, 5.0] {
-            let strain = libm::exp((libm::log(intensity) - flaws.ln_kv) / flaws.m);
-            let active: u64 = (0..n)
-                .map(|site| ParticleId::new(0, site))
-                .filter(|&id| flaws.weakest(id) < strain)
-                .map(|id| flaws.count(id, strain).0 as u64)
-                .sum();
-            let expected = n as f64 * intensity;
-            assert!((active as f64 - expected).abs() < 4.0 * expected.sqrt(), "{intensity}: {active}");
-        }
-    }
-
-    #[test]
-    fn draws_depend_on_seed_and_id_alone() {
-        let flaws = flaws(1000);
-        let draw = |site: u64| (flaws.weakest(ParticleId::new(0, site)).to_bits(), total(&flaws, site));
-        let forward: Vec<_> = (0..1000).map(draw).collect();
-        let mut backward: Vec<_> = (0..1000).rev().map(draw).collect();
-        backward.reverse();
-        assert_eq!(forward, backward);
-        let other = Flaws { seed: 4, ..flaws };
-        assert!((0..1000).any(|site| total(&other, site) != forward[site as usize].1));
-    }
-
-    /// Nakamura et al. 2007: m = 16 and k = 1e61, where k V overflows a float and eps^m underflows one.
-    #[test]
-    fn huge_weibull_numbers_stay_finite() {
-        let table =
-            FractureTable { weibull_k: Quantity(1e61), weibull_m: Quantity(16.0), ..basalt().fracture.unwrap() };
-        let flaws = Flaws::new(&table, 1e12, 100_000);
-        for site in 0..1000 {
-            let id = ParticleId::new(0, site);
-            let threshold = flaws.weakest(id);
-            assert!(threshold > 1e-6 && threshold < 1e-3, "{threshold:e}");
-            let mut last = 0;
-            for strain in [threshold * 1.0000001, 2.0 * threshold, 1e-2, 1.0, 1e30] {
-                let (active, total) = flaws.count(id, strain);
-                assert!(active >= last.max(1) && active <= total);
-                last = active;
-            }
-        }
-    }
-
-    #[test]
-    fn a_body_of_one_particle_has_a_flaw() {
-        let flaws = flaws(1);
-        assert!((0..1000).all(|site| total(&flaws, site) >= 1));
-        assert!((0..1000).any(|site| total(&flaws, site) == 1));
     }
 
     #[test]
@@ -435,6 +317,26 @@ mod tests {
             last = now;
         }
         assert!(rises > 10 && last > 0.0, "{rises} {last}");
+    }
+
+    /// The same spacing gives the same flaws in 2D, where the mass is that of a metre of depth, as in 3D.
+    #[test]
+    fn flaws_do_not_depend_on_the_metre_of_depth() {
+        let spacing: f64 = 0.02;
+        let weakest = |dimension: i32| {
+            let particle_mass = 2700.0 * spacing.powi(dimension);
+            let constants = BodyConstants { particle_mass, smoothing_length: 0.024, particles: 1000, density: 2700.0 };
+            let setup = Setup {
+                dimension: dimension as usize,
+                materials: &[basalt()],
+                body_material: &[0],
+                constants: &[constants],
+                initial_damage: &[0.0],
+                records: Default::default(),
+            };
+            Brittle::new(&setup, 0, &basalt()).unwrap().flaws.weakest(ParticleId::new(0, 1))
+        };
+        assert!((weakest(2) / weakest(3) - 1.0).abs() < 1e-13);
     }
 
     #[test]
