@@ -9,11 +9,19 @@ pub mod particles;
 pub mod random;
 
 pub mod domain;
+pub mod neighbours;
 
+pub mod gravity;
 pub mod material;
 pub mod pair;
 
+pub mod outcome;
 pub mod output;
 pub mod scene;
 
+pub mod step;
+
+pub mod simulation;
+
+pub mod campaigns;
 pub mod cli;
