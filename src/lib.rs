@@ -4,3 +4,4 @@ pub mod particles;
 pub mod random;
 pub mod domain;
 pub mod material;
+pub mod neighbours;
