@@ -13,6 +13,10 @@ use mpi::traits::*;
 /// Messages longer than this many bytes go in pieces, as MPI counts are 32-bit.
 const PIECE: usize = 1 << 30;
 
+/// Tags of persistent exchanges; MPI grants at least 32767.
+const FIRST_EXCHANGE_TAG: i32 = 1000;
+const EXCHANGE_TAGS: i32 = 10_000;
+
 /// All ranks of the job. The first one made initialises MPI, and the last one dropped ends it.
 pub struct Comm {
     universe: Option<mpi::environment::Universe>,
@@ -20,6 +24,8 @@ pub struct Comm {
     rank: usize,
     size: usize,
     round: Cell<i32>,
+    /// Exchanges made so far: each gets a tag of its own.
+    exchanges: Cell<i32>,
     waited: Cell<f64>,
     sent: Cell<u64>,
     pieces: RefCell<Vec<ffi::MPI_Request>>,
@@ -49,6 +55,7 @@ impl Comm {
             rank,
             size,
             round: Cell::new(0),
+            exchanges: Cell::new(0),
             waited: Cell::new(0.0),
             sent: Cell::new(0),
             pieces: RefCell::new(Vec::new()),
@@ -254,12 +261,15 @@ pub struct Exchange {
 
 impl Exchange {
     /// `sends` and `receives`: (rank, numbers), in the order in which they lie in the buffers. Both sides must agree on the
-    /// numbers; a message between two ranks may be empty and is then not sent.
+    /// numbers; a message between two ranks may be empty and is then not sent. All ranks make their exchanges in the same
+    /// order, so that those of one number find each other even if several are on their way at once.
     pub fn new(comm: &Comm, sends: &[(usize, usize)], receives: &[(usize, usize)]) -> Self {
         let total = |list: &[(usize, usize)]| list.iter().map(|(_, n)| n).sum::<usize>();
         let (mut outgoing, mut incoming) = (vec![0.0; total(sends)], vec![0.0; total(receives)]);
         let mut requests = Vec::new();
         let piece = PIECE / 8;
+        let tag = FIRST_EXCHANGE_TAG + comm.exchanges.get();
+        comm.exchanges.set((comm.exchanges.get() + 1) % EXCHANGE_TAGS);
         // SAFETY: the buffers are never resized while the requests live, and both live in `Self`.
         unsafe {
             let double = ffi::RSMPI_DOUBLE;
@@ -269,7 +279,7 @@ impl Exchange {
                 rest = after;
                 for part in mine.chunks_mut(piece) {
                     let mut request = std::mem::zeroed();
-                    ffi::MPI_Recv_init(part.as_mut_ptr().cast(), part.len() as i32, double, from as i32, 90, comm.raw, &mut request);
+                    ffi::MPI_Recv_init(part.as_mut_ptr().cast(), part.len() as i32, double, from as i32, tag, comm.raw, &mut request);
                     requests.push(request);
                 }
             }
@@ -279,7 +289,7 @@ impl Exchange {
                 rest = after;
                 for part in mine.chunks_mut(piece) {
                     let mut request = std::mem::zeroed();
-                    ffi::MPI_Send_init(part.as_ptr().cast(), part.len() as i32, double, to as i32, 90, comm.raw, &mut request);
+                    ffi::MPI_Send_init(part.as_ptr().cast(), part.len() as i32, double, to as i32, tag, comm.raw, &mut request);
                     requests.push(request);
                 }
             }
@@ -338,6 +348,12 @@ impl Exchange {
 
 impl Drop for Exchange {
     fn drop(&mut self) {
+        let mut finalized = 0;
+        // SAFETY: may be asked at any time; requests do not outlive MPI.
+        unsafe { ffi::MPI_Finalized(&mut finalized) };
+        if finalized != 0 {
+            return;
+        }
         for request in &mut self.requests {
             // SAFETY: each request is freed once; an active one is freed by MPI when it completes.
             unsafe { ffi::MPI_Request_free(request) };

@@ -1,3 +1,14 @@
 //! Who owns which particles, and what crosses between ranks. Knows columns, no physics.
 
+pub mod bisection;
 pub mod comm;
+pub mod decomposition;
+pub mod ghosts;
+pub mod migration;
+pub mod watch;
+
+pub use bisection::Bisection;
+pub use comm::{Comm, Exchange};
+pub use decomposition::{Decomposition, Handles};
+pub use ghosts::Ghosts;
+pub use watch::{Motion, Watch};

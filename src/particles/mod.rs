@@ -1,9 +1,14 @@
 //! The particles of one rank: columns, who owns which, and local views of them.
 
+pub mod cells;
 pub mod chunk;
 pub mod columns;
+pub mod curve;
 pub mod id;
+pub mod local;
 
+pub use cells::{Lattice, Place, Site};
 pub use chunk::{Chunk, View};
 pub use columns::{Column, ColumnInfo, Columns, Element, Integrated, Life, Registry, Shape};
 pub use id::ParticleId;
+pub use local::Local;

@@ -1,0 +1,107 @@
+//! All that changes when lists are built: owners, the order of particles, ghosts, the local set, the watch. Everything stands
+//! on `build_position` and the list radii at the build, never on where particles are now: a run that is resumed from
+//! them, on any number of ranks, gets the same lists.
+
+use super::bisection::Bisection;
+use super::comm::Comm;
+use super::ghosts::{Extent, Ghosts};
+use super::migration::migrate;
+use super::watch::Watch;
+use crate::math::Vec3;
+use crate::particles::{Column, Columns, Lattice, Local, ParticleId, Place, Site};
+
+/// The columns that a decomposition needs.
+#[derive(Debug, Clone, Copy)]
+pub struct Handles {
+    pub id: Column<ParticleId>,
+    pub position: Column<Vec3>,
+    /// Position at the last list build.
+    pub build_position: Column<Vec3>,
+}
+
+/// One rank's part of the particles, between two list builds.
+pub struct Decomposition<const D: usize> {
+    pub bisection: Bisection<D>,
+    /// Owned particles and ghosts: what neighbour lists are made of.
+    pub local: Local<D>,
+    pub ghosts: Ghosts,
+    pub watch: Watch<D>,
+    /// Particles that left this rank at the last build.
+    pub migrated: usize,
+    lattice: Lattice,
+    handles: Handles,
+    sites: Vec<Site<D>>,
+}
+
+impl<const D: usize> Decomposition<D> {
+    /// Distributes particles that stand on any ranks, and builds on their `build_position`. `lattice`: the same for the whole
+    /// run; `list_radius`: of an owned particle at its list build, m; `words`: numbers of a pair record. Collective.
+    pub fn new(
+        columns: &mut Columns,
+        (handles, lattice, words): (Handles, Lattice, usize),
+        list_radius: &dyn Fn(&Columns, usize) -> f64,
+        comm: &Comm,
+    ) -> Self {
+        let costs = vec![1; columns.len()];
+        let bisection = Bisection::new(columns.numbers(handles.build_position.index), &costs, comm.size(), comm);
+        let extents = Extent::all(&[], comm);
+        let mut new = Self {
+            bisection,
+            local: Local::default(),
+            ghosts: Ghosts::build::<D>(&[], &extents, words, comm).0,
+            watch: Watch::build(&lattice, &[], &extents, comm),
+            migrated: 0,
+            lattice,
+            handles,
+            sites: Vec::new(),
+        };
+        new.rebuild_from_build_positions(columns, list_radius, comm);
+        new
+    }
+
+    /// New planes for the costs of owned particles; they take effect at the next build. Collective.
+    pub fn bisect(&mut self, columns: &Columns, costs: &[u32], comm: &Comm) {
+        self.bisection = Bisection::new(columns.numbers(self.handles.position.index), costs, comm.size(), comm);
+    }
+
+    /// Builds on the present positions. Neighbour lists are to be made from `local` afterwards. Collective.
+    pub fn rebuild(&mut self, columns: &mut Columns, list_radius: &dyn Fn(&Columns, usize) -> f64, comm: &Comm) {
+        let position = columns.words(self.handles.position.index).to_vec();
+        columns.words_mut(self.handles.build_position.index).copy_from_slice(&position);
+        self.rebuild_from_build_positions(columns, list_radius, comm);
+    }
+
+    /// Builds what stood at the last build before a checkpoint. Collective.
+    pub fn rebuild_from_build_positions(
+        &mut self,
+        columns: &mut Columns,
+        list_radius: &dyn Fn(&Columns, usize) -> f64,
+        comm: &Comm,
+    ) {
+        self.migrated = migrate(columns, self.handles.build_position, &self.bisection, comm);
+        self.sort(columns, list_radius);
+        let extents = Extent::all(&self.sites, comm);
+        let (ghosts, incoming) = Ghosts::build(&self.sites, &extents, self.ghosts.words, comm);
+        self.ghosts = ghosts;
+        self.local.build(&self.lattice, &self.sites, &incoming);
+        self.watch = Watch::build(&self.lattice, &self.sites, &extents, comm);
+    }
+
+    /// Brings columns and sites into canonical order.
+    fn sort(&mut self, columns: &mut Columns, list_radius: &dyn Fn(&Columns, usize) -> f64) {
+        let positions = columns.numbers(self.handles.build_position.index).as_chunks::<D>().0;
+        let site = |i: usize| {
+            let id = columns.get(self.handles.id, i).0;
+            Site { id, position: positions[i], radius: list_radius(columns, i) }
+        };
+        let mut order: Vec<(Place, Site<D>, u32)> = (0..columns.len())
+            .map(|i| (site(i), i as u32))
+            .map(|(site, i)| (self.lattice.place(&site), site, i))
+            .collect();
+        order.sort_unstable_by_key(|(place, ..)| *place);
+        self.sites.clear();
+        self.sites.extend(order.iter().map(|(_, site, _)| *site));
+        let order: Vec<u32> = order.iter().map(|(.., i)| *i).collect();
+        columns.reorder(&order, &mut Vec::new());
+    }
+}

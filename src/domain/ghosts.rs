@@ -1,0 +1,148 @@
+//! Ghosts: particles of other ranks that this one's may have as neighbours until the next list build, and the messages that
+//! bring their pair records. Between builds the pattern is fixed.
+//!
+//! A particle is a ghost on another rank if it lies nearer to that rank's tight box than the larger of its own list radius
+//! and the largest one there. That is more than the neighbours; lists take what is near, so the surplus changes nothing.
+
+use super::comm::{Comm, Exchange};
+use crate::particles::Site;
+
+/// Where a rank's particles are, and how far they reach.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extent<const D: usize> {
+    pub low: [f64; D],
+    pub high: [f64; D],
+    /// Largest list radius, m.
+    pub radius: f64,
+}
+
+impl<const D: usize> Extent<D> {
+    /// Inverted and infinite where there are no particles: infinitely far from everything.
+    pub fn of(sites: &[Site<D>]) -> Self {
+        let empty = Self { low: [f64::INFINITY; D], high: [f64::NEG_INFINITY; D], radius: 0.0 };
+        sites.iter().fold(empty, |mut extent, site| {
+            for k in 0..D {
+                extent.low[k] = extent.low[k].min(site.position[k]);
+                extent.high[k] = extent.high[k].max(site.position[k]);
+            }
+            extent.radius = extent.radius.max(site.radius);
+            extent
+        })
+    }
+
+    /// The extents of all ranks. Collective.
+    pub fn all(sites: &[Site<D>], comm: &Comm) -> Vec<Self> {
+        let mine = Self::of(sites);
+        let mut words = Vec::with_capacity(2 * D + 1);
+        words.extend(mine.low);
+        words.extend(mine.high);
+        words.push(mine.radius);
+        let read = |w: &[f64]| Self {
+            low: std::array::from_fn(|k| w[k]),
+            high: std::array::from_fn(|k| w[D + k]),
+            radius: w[2 * D],
+        };
+        comm.all_gather(&words).chunks_exact(2 * D + 1).map(read).collect()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.low[0] > self.high[0]
+    }
+
+    /// Square of the distance to a box that goes from `low` to `high`. Made of the same operations as the squared distance
+    /// of a pair, each of them monotone, so that rounding cannot put a particle in the box nearer than the box.
+    fn distance_squared(&self, low: &[f64; D], high: &[f64; D]) -> f64 {
+        (0..D).fold(0.0, |sum, k| {
+            let gap = (self.low[k] - high[k]).max(low[k] - self.high[k]).max(0.0);
+            sum + gap * gap
+        })
+    }
+
+    fn needs(&self, site: &Site<D>) -> bool {
+        let radius = self.radius.max(site.radius);
+        self.distance_squared(&site.position, &site.position) < radius * radius
+    }
+
+    fn may_need(&self, other: &Self) -> bool {
+        let radius = self.radius.max(other.radius);
+        self.distance_squared(&other.low, &other.high) < radius * radius
+    }
+}
+
+/// The fixed pattern of ghost messages between two list builds.
+pub struct Ghosts {
+    /// Owned particles whose records go out, in message order; a particle may go to several ranks.
+    pub send_indices: Vec<u32>,
+    /// Carries `words` numbers for each of `send_indices` and for each incoming particle.
+    pub exchange: Exchange,
+    pub words: usize,
+}
+
+impl Ghosts {
+    /// Finds who is a ghost where. `owned`: in canonical order; `words`: numbers of a pair record. Returns the incoming
+    /// particles too, in message order. Collective.
+    pub fn build<const D: usize>(
+        owned: &[Site<D>],
+        extents: &[Extent<D>],
+        words: usize,
+        comm: &Comm,
+    ) -> (Self, Vec<Site<D>>) {
+        let mine = &extents[comm.rank()];
+        let (mut send_indices, mut sends, mut messages) = (Vec::new(), Vec::new(), Vec::new());
+        for (rank, extent) in extents.iter().enumerate() {
+            if rank == comm.rank() || !extent.may_need(mine) {
+                continue;
+            }
+            let start = send_indices.len();
+            send_indices.extend(owned.iter().zip(0u32..).filter(|(site, _)| extent.needs(site)).map(|(_, i)| i));
+            let sent = &send_indices[start..];
+            if !sent.is_empty() {
+                messages.push((rank, sent.iter().flat_map(|&i| to_words(&owned[i as usize])).collect()));
+                sends.push((rank, sent.len() * words));
+            }
+        }
+        let (mut incoming, mut receives) = (Vec::new(), Vec::new());
+        for (rank, message) in comm.sparse_exchange(messages) {
+            let sites = message.chunks_exact(D + 2).map(from_words);
+            receives.push((rank, sites.len() * words));
+            incoming.extend(sites);
+        }
+        (Self { send_indices, exchange: Exchange::new(comm, &sends, &receives), words }, incoming)
+    }
+}
+
+fn to_words<const D: usize>(site: &Site<D>) -> impl Iterator<Item = u64> {
+    let numbers = site.position.into_iter().chain([site.radius]).map(f64::to_bits);
+    std::iter::once(site.id).chain(numbers)
+}
+
+fn from_words<const D: usize>(words: &[u64]) -> Site<D> {
+    let number = |k: usize| f64::from_bits(words[k]);
+    Site { id: words[0], position: std::array::from_fn(|k| number(1 + k)), radius: number(1 + D) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sites_travel_whole() {
+        let site = Site { id: u64::MAX - 3, position: [0.1, -2.5e30], radius: 7.0 };
+        assert_eq!(from_words::<2>(&to_words(&site).collect::<Vec<_>>()), site);
+    }
+
+    #[test]
+    fn the_larger_radius_decides() {
+        let at = |x, radius| Site { id: 0, position: [x, 0.0], radius };
+        let extent = Extent::of(&[at(0.0, 1.0), at(4.0, 1.5)]);
+        assert_eq!(extent, Extent { low: [0.0; 2], high: [4.0, 0.0], radius: 1.5 });
+        for (x, radius, ghost) in
+            [(2.0, 0.1, true), (5.4, 0.1, true), (5.5, 0.1, false), (7.0, 3.1, true), (-1.6, 1.0, false), (-1.6, 1.7, true)]
+        {
+            assert_eq!(extent.needs(&at(x, radius)), ghost, "{x} {radius}");
+            assert_eq!(extent.may_need(&Extent::of(&[at(x, radius)])), ghost);
+        }
+        let nobody = Extent::of(&[]);
+        assert!(nobody.is_empty() && !nobody.needs(&at(0.0, 1e9)) && !extent.may_need(&nobody) && !nobody.may_need(&extent));
+    }
+}

@@ -1,0 +1,365 @@
+//! When must lists be built again? When two particles that were not neighbours at the last build may have come within their
+//! supports. What counts is how far particles have moved *relative to each other* since then, with displacements
+//! d = x - x_build, list radii L (support and skin at the build) and supports s = 2h (now).
+//!
+//! At each level l of the lattice, over the 3^D cells around any cell near particles:
+//!
+//! ```text
+//! | max d - min d |  <=  min( min over particles of level l of (L - s),   R - max over particles of finer levels of s )
+//! R = the smallest L of the particles of level l there, or the cells' side where there are none
+//! ```
+//!
+//! Why this is enough. Two particles, the wider of whose levels is c, that were not listed were at least max(L_i, L_j) apart.
+//! If their cells of level c lie at most two apart, some block of 3^D cells holds both, and the line above bounds how much
+//! nearer they have come. If not, at least two sides of level c were between them; look at the next level, where one side
+//! is as wide: either a block there holds both, and R is its side, or at least two of its sides were between them, and so on.
+//! Beyond `ABOVE` levels over the widest occupied one, it is enough that no particle has moved by more than about one side.
+//!
+//! Extremes are exact and blocks belong to the global lattice, so any number of ranks gives the same answer, as long as every
+//! rank knows the whole content of all cells up to two away from its own: that is what ranks tell each other each step.
+
+use rayon::prelude::*;
+
+use super::comm::{Comm, Exchange};
+use super::ghosts::Extent;
+use crate::particles::cells::{CellTable, MAX_LEVEL};
+use crate::particles::curve::{self, Block};
+use crate::particles::{Lattice, Site};
+
+/// Levels watched above the widest occupied one.
+const ABOVE: u32 = 2;
+
+/// Cells a thread takes at a time.
+const CELLS: usize = 256;
+
+/// Numbers of a cell that another rank must know.
+const fn words(dimension: usize) -> usize {
+    2 * dimension + 2
+}
+
+/// What has become of a cell's particles: maxima only, so that cells merge element by element.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Summary<const D: usize> {
+    forward: [f64; D],
+    /// Of the displacement's opposite.
+    backward: [f64; D],
+    /// -(L - s) over particles of the cell's own level.
+    lack: f64,
+    /// Support of particles of finer levels.
+    finer: f64,
+}
+
+impl<const D: usize> Summary<D> {
+    const NOTHING: Self = Self {
+        forward: [f64::NEG_INFINITY; D],
+        backward: [f64::NEG_INFINITY; D],
+        lack: f64::NEG_INFINITY,
+        finer: f64::NEG_INFINITY,
+    };
+
+    #[inline(always)]
+    fn merge(&mut self, other: &Self) {
+        for k in 0..D {
+            self.forward[k] = self.forward[k].max(other.forward[k]);
+            self.backward[k] = self.backward[k].max(other.backward[k]);
+        }
+        self.lack = self.lack.max(other.lack);
+        self.finer = self.finer.max(other.finer);
+    }
+
+    /// Relative displacement over what is allowed; `reach` is R above.
+    fn used(&self, reach: f64) -> f64 {
+        let apart = (0..D).fold(0.0, |sum, k| sum + (self.forward[k] + self.backward[k]).powi(2)).sqrt();
+        let allowed = (-self.lack).min(reach - self.finer);
+        if allowed > 0.0 { apart / allowed } else { f64::INFINITY }
+    }
+
+    /// The largest displacement that may have happened.
+    fn farthest(&self) -> f64 {
+        (0..D).fold(0.0, |sum, k| sum + self.forward[k].max(self.backward[k]).powi(2)).sqrt()
+    }
+
+    fn write(&self, to: &mut [f64]) {
+        to[..D].copy_from_slice(&self.forward);
+        to[D..2 * D].copy_from_slice(&self.backward);
+        to[2 * D..].copy_from_slice(&[self.lack, self.finer]);
+    }
+
+    fn read(from: &[f64]) -> Self {
+        Self {
+            forward: std::array::from_fn(|k| from[k]),
+            backward: std::array::from_fn(|k| from[D + k]),
+            lack: from[2 * D],
+            finer: from[2 * D + 1],
+        }
+    }
+}
+
+/// A cell of some level with particles of this rank.
+#[derive(Debug, Clone)]
+struct Cell {
+    code: u64,
+    /// Owned particles of exactly this level.
+    particles: std::ops::Range<u32>,
+    /// Its cells of the level below.
+    children: std::ops::Range<u32>,
+}
+
+/// Where particles are now.
+pub struct Motion<'a, S> {
+    /// D numbers per owned particle, m.
+    pub position: &'a [f64],
+    pub build_position: &'a [f64],
+    /// The support 2h of owned particle `i`, m.
+    pub support: S,
+}
+
+pub struct Watch<const D: usize> {
+    /// Own cells, level after level.
+    cells: Vec<Cell>,
+    /// Where each level begins in `cells`, and where the last one ends.
+    levels: Vec<usize>,
+    /// Of own cells, then of cells known from other ranks only.
+    summaries: Vec<Summary<D>>,
+    /// Largest support in each own cell.
+    supports: Vec<f64>,
+    /// List radii of owned particles, m.
+    radii: Vec<f64>,
+    blocks: Blocks,
+    exchange: Exchange,
+    send_cells: Vec<u32>,
+    receive_cells: Vec<u32>,
+    /// No particle may move farther, m.
+    farthest: f64,
+}
+
+/// The blocks of 3^D cells to look at: block b merges `cells[offsets[b]..offsets[b + 1]]`.
+#[derive(Debug, Default)]
+struct Blocks {
+    offsets: Vec<u32>,
+    cells: Vec<u32>,
+    /// R of each.
+    reach: Vec<f64>,
+}
+
+impl<const D: usize> Watch<D> {
+    /// `owned`: in canonical order. Collective.
+    pub fn build(lattice: &Lattice, owned: &[Site<D>], extents: &[Extent<D>], comm: &Comm) -> Self {
+        let widest = widest_level(lattice, extents);
+        let (cells, levels) = own_cells(lattice, owned, (widest + ABOVE).min(MAX_LEVEL));
+        let mut reach: Vec<f64> = Vec::with_capacity(cells.len());
+        for (level, cells) in by_level(&cells, &levels) {
+            let smallest = |c: &Cell| {
+                let own = &owned[c.particles.start as usize..c.particles.end as usize];
+                own.iter().map(|s| s.radius).fold(lattice.side(level), f64::min)
+            };
+            reach.extend(cells.iter().map(smallest));
+        }
+        let (mut send_cells, mut sends, mut messages) = (Vec::new(), Vec::new(), Vec::new());
+        for (rank, extent) in extents.iter().enumerate().filter(|(rank, extent)| *rank != comm.rank() && !extent.is_empty()) {
+            let start = send_cells.len();
+            send_cells.extend(cells_near(lattice, (&cells, &levels), extent));
+            let sent = &send_cells[start..];
+            if !sent.is_empty() {
+                let level_of = |cell: u32| levels.partition_point(|&start| start <= cell as usize) as u64 - 1;
+                let describe = |&c: &u32| [level_of(c), cells[c as usize].code, reach[c as usize].to_bits()];
+                messages.push((rank, sent.iter().flat_map(describe).collect()));
+                sends.push((rank, sent.len() * words(D)));
+            }
+        }
+        let received = comm.sparse_exchange(messages);
+        let told = received.iter().map(|(_, message)| message.len() / 3).sum();
+        let mut known = Known::new(&cells, &levels, reach, told);
+        let (mut receive_cells, mut receives) = (Vec::new(), Vec::new());
+        for (rank, message) in received {
+            let described = message.chunks_exact(3);
+            receives.push((rank, described.len() * words(D)));
+            receive_cells.extend(described.map(|w| known.add(w[0] as usize, w[1], f64::from_bits(w[2]))));
+        }
+        Self {
+            summaries: vec![Summary::NOTHING; known.reach.len()],
+            supports: vec![0.0; cells.len()],
+            radii: owned.iter().map(|s| s.radius).collect(),
+            blocks: known.blocks::<D>(&cells, &levels),
+            exchange: Exchange::new(comm, &sends, &receives),
+            farthest: lattice.side((levels.len() - 2) as u32) - 0.5 * lattice.side(widest),
+            cells,
+            levels,
+            send_cells,
+            receive_cells,
+        }
+    }
+
+    /// How much of the skin is used up, as far as this rank sees: lists hold while the maximum over ranks is at most 1.
+    /// Collective.
+    pub fn skin_used<S: Fn(usize) -> f64 + Sync>(&mut self, motion: &Motion<'_, S>, comm: &Comm) -> f64 {
+        for level in 0..self.levels.len() - 1 {
+            self.summarise(level, motion);
+        }
+        let outgoing = self.exchange.outgoing().chunks_exact_mut(words(D));
+        for (&cell, to) in self.send_cells.iter().zip(outgoing) {
+            self.summaries[cell as usize].write(to);
+        }
+        self.exchange.start(comm);
+        let top = self.levels[self.levels.len() - 2]..self.cells.len();
+        let farthest = self.summaries[top].iter().map(Summary::farthest).fold(0.0, f64::max);
+        self.summaries[self.cells.len()..].fill(Summary::NOTHING);
+        self.exchange.wait(comm);
+        for (&cell, from) in self.receive_cells.iter().zip(self.exchange.incoming().chunks_exact(words(D))) {
+            self.summaries[cell as usize].merge(&Summary::read(from));
+        }
+        let (blocks, summaries) = (&self.blocks, &self.summaries);
+        let each = (0..blocks.reach.len()).into_par_iter().with_min_len(CELLS);
+        each.map(|b| blocks.used(b, summaries)).reduce(|| 0.0, f64::max).max(farthest / self.farthest)
+    }
+
+    /// Bytes held.
+    pub fn bytes(&self) -> usize {
+        std::mem::size_of::<Cell>() * self.cells.len()
+            + std::mem::size_of::<Summary<D>>() * self.summaries.len()
+            + 8 * (self.supports.len() + self.radii.len() + self.blocks.reach.len())
+            + 4 * (self.blocks.offsets.len() + self.blocks.cells.len() + self.send_cells.len() + self.receive_cells.len())
+            + self.exchange.bytes()
+    }
+
+    /// Own cells of one level, from their particles and the level below.
+    fn summarise<S: Fn(usize) -> f64 + Sync>(&mut self, level: usize, motion: &Motion<'_, S>) {
+        let (start, end) = (self.levels[level], self.levels[level + 1]);
+        let (finer, summaries) = self.summaries.split_at_mut(start);
+        let (finer_supports, supports) = self.supports.split_at_mut(start);
+        let radii = &self.radii;
+        let mine = summaries[..end - start].par_iter_mut().zip(supports.par_iter_mut());
+        mine.zip(&self.cells[start..end]).with_min_len(CELLS).for_each(|((summary, support), cell)| {
+            *summary = Summary::NOTHING;
+            for child in cell.children.start as usize..cell.children.end as usize {
+                summary.merge(&Summary { lack: f64::NEG_INFINITY, finer: finer_supports[child], ..finer[child] });
+            }
+            *support = summary.finer;
+            for i in cell.particles.start as usize..cell.particles.end as usize {
+                let s = (motion.support)(i);
+                *support = support.max(s);
+                summary.lack = summary.lack.max(s - radii[i]);
+                for k in 0..D {
+                    let d = motion.position[D * i + k] - motion.build_position[D * i + k];
+                    summary.forward[k] = summary.forward[k].max(d);
+                    summary.backward[k] = summary.backward[k].max(-d);
+                }
+            }
+        });
+    }
+}
+
+impl Blocks {
+    /// The share of the skin used up in one block.
+    fn used<const D: usize>(&self, block: usize, summaries: &[Summary<D>]) -> f64 {
+        let range = self.offsets[block] as usize..self.offsets[block + 1] as usize;
+        let mut merged = Summary::NOTHING;
+        self.cells[range].iter().for_each(|&cell| merged.merge(&summaries[cell as usize]));
+        merged.used(self.reach[block])
+    }
+}
+
+/// The widest level that any rank's particles live in: levels grow with the radius.
+fn widest_level<const D: usize>(lattice: &Lattice, extents: &[Extent<D>]) -> u32 {
+    lattice.level(extents.iter().map(|e| e.radius).fold(0.0, f64::max))
+}
+
+fn by_level<'a>(cells: &'a [Cell], levels: &'a [usize]) -> impl Iterator<Item = (u32, &'a [Cell])> {
+    (0u32..).zip(levels.windows(2)).map(|(level, range)| (level, &cells[range[0]..range[1]]))
+}
+
+/// Cells of levels 0 to `top` with owned particles of that or a finer level; along the curve within a level.
+fn own_cells<const D: usize>(lattice: &Lattice, owned: &[Site<D>], top: u32) -> (Vec<Cell>, Vec<usize>) {
+    let (mut cells, mut levels) = (Vec::<Cell>::new(), vec![0]);
+    let mut particles = owned.iter().map(|site| lattice.place(site)).zip(0u32..).peekable();
+    for level in 0..=top {
+        let start = cells.len();
+        let finer = if level == 0 { start..start } else { levels[level as usize - 1]..start };
+        let mut children = finer.peekable();
+        loop {
+            let own = particles.peek().filter(|(place, _)| place.level == level).map(|(place, _)| place.cell);
+            let child = children.peek().map(|&c| cells[c].code >> D);
+            let Some(code) = own.into_iter().chain(child).min() else { break };
+            let first = particles.peek().map_or(owned.len() as u32, |p| p.1);
+            while particles.next_if(|(place, _)| place.level == level && place.cell == code).is_some() {}
+            let last = particles.peek().map_or(owned.len() as u32, |p| p.1);
+            let first_child = children.peek().map_or(start, |&c| c) as u32;
+            while children.next_if(|&c| cells[c].code >> D == code).is_some() {}
+            let last_child = children.peek().map_or(start, |&c| c) as u32;
+            cells.push(Cell { code, particles: first..last, children: first_child..last_child });
+        }
+        levels.push(cells.len());
+    }
+    (cells, levels)
+}
+
+/// Own cells at most two away from the cells that a rank's box covers.
+fn cells_near<const D: usize>(lattice: &Lattice, (cells, levels): (&[Cell], &[usize]), extent: &Extent<D>) -> Vec<u32> {
+    let (low, high) = (lattice.coordinates(&extent.low), lattice.coordinates(&extent.high));
+    let mut near = Vec::new();
+    for (level, range) in (0u32..).zip(levels.windows(2)) {
+        let touches = |cell: &Cell| {
+            let c = curve::decode::<D>(cell.code);
+            (0..D).all(|k| c[k] + 2 >= low[k] >> level && c[k] <= (high[k] >> level) + 2)
+        };
+        near.extend((range[0]..range[1]).filter(|&c| touches(&cells[c])).map(|c| c as u32));
+    }
+    near
+}
+
+/// Cells of this rank and those that others have told of.
+struct Known {
+    /// Numbers of cells by code, for each level.
+    tables: Vec<CellTable>,
+    /// Smallest list radius of the cell's own level, or its side; of all ranks.
+    reach: Vec<f64>,
+}
+
+impl Known {
+    /// `told`: how many cells other ranks will tell of.
+    fn new(cells: &[Cell], levels: &[usize], reach: Vec<f64>, told: usize) -> Self {
+        let mut tables = Vec::new();
+        for range in levels.windows(2) {
+            let mut table = CellTable::default();
+            table.reset(range[1] - range[0] + told);
+            (range[0]..range[1]).for_each(|c| table.insert(cells[c].code, c as u32, c as u32 + 1));
+            tables.push(table);
+        }
+        Self { tables, reach }
+    }
+
+    /// The number of a cell that another rank has told of.
+    fn add(&mut self, level: usize, code: u64, reach: f64) -> u32 {
+        if let Some((cell, _)) = self.tables[level].get(code) {
+            let mine = &mut self.reach[cell as usize];
+            *mine = mine.min(reach);
+            return cell;
+        }
+        let cell = self.reach.len() as u32;
+        self.tables[level].insert(code, cell, cell + 1);
+        self.reach.push(reach);
+        cell
+    }
+
+    /// The blocks around all cells that touch own ones, empty cells included.
+    fn blocks<const D: usize>(&self, cells: &[Cell], levels: &[usize]) -> Blocks {
+        let mut blocks = Blocks { offsets: vec![0], ..Blocks::default() };
+        let mut centres = Vec::new();
+        for (level, cells) in by_level(cells, levels) {
+            let side = Lattice::cells(level);
+            centres.clear();
+            cells.iter().for_each(|c| centres.extend_from_slice(Block::around::<D>(c.code, side).codes()));
+            centres.sort_unstable();
+            centres.dedup();
+            for &centre in &centres {
+                let around = Block::around::<D>(centre, side);
+                let start = blocks.cells.len();
+                blocks.cells.extend(around.codes().iter().filter_map(|&c| self.tables[level as usize].get(c)).map(|c| c.0));
+                let reach = blocks.cells[start..].iter().map(|&c| self.reach[c as usize]);
+                blocks.reach.push(reach.fold(f64::INFINITY, f64::min));
+                blocks.offsets.push(blocks.cells.len() as u32);
+            }
+        }
+        blocks
+    }
+}

@@ -1,0 +1,110 @@
+//! Morton codes: the bits of D coordinates interleaved. Codes of one cell's contents are contiguous, and dropping D bits
+//! gives the code of the cell twice as wide (Morton 1966).
+
+/// Bits per coordinate: three coordinates fit into one word.
+pub const BITS: u32 = 21;
+
+/// The code of a point with coordinates below `2^BITS`; the first coordinate holds the highest bits.
+#[inline]
+pub fn encode<const D: usize>(coordinates: [u32; D]) -> u64 {
+    coordinates.iter().fold(0, |code, &c| code << 1 | spread::<D>(c))
+}
+
+#[inline]
+pub fn decode<const D: usize>(code: u64) -> [u32; D] {
+    std::array::from_fn(|k| gather::<D>(code >> (D - 1 - k)))
+}
+
+/// The codes of the up to 3^D cells that touch a cell, itself included, in lexicographic order of their offsets.
+pub struct Block {
+    codes: [u64; 27],
+    len: usize,
+}
+
+impl Block {
+    /// `side`: cells per edge of the lattice; there is nothing beyond its edges.
+    pub fn around<const D: usize>(code: u64, side: u32) -> Self {
+        let mut block = Self { codes: [0; 27], len: 1 };
+        for c in decode::<D>(code) {
+            let (low, high) = (c.saturating_sub(1), (c + 1).min(side - 1));
+            let mut next = Self { codes: [0; 27], len: 0 };
+            for &prefix in block.codes() {
+                for c in low..=high {
+                    next.codes[next.len] = prefix << 1 | spread::<D>(c);
+                    next.len += 1;
+                }
+            }
+            block = next;
+        }
+        block
+    }
+
+    pub fn codes(&self) -> &[u64] {
+        &self.codes[..self.len]
+    }
+}
+
+/// Moves bit k to bit D k.
+#[inline]
+fn spread<const D: usize>(c: u32) -> u64 {
+    let mut x = c as u64;
+    if D == 2 {
+        x = (x | x << 16) & 0x0000_ffff_0000_ffff;
+        x = (x | x << 8) & 0x00ff_00ff_00ff_00ff;
+        x = (x | x << 4) & 0x0f0f_0f0f_0f0f_0f0f;
+        x = (x | x << 2) & 0x3333_3333_3333_3333;
+        (x | x << 1) & 0x5555_5555_5555_5555
+    } else {
+        x = (x | x << 32) & 0x001f_0000_0000_ffff;
+        x = (x | x << 16) & 0x001f_0000_ff00_00ff;
+        x = (x | x << 8) & 0x100f_00f0_0f00_f00f;
+        x = (x | x << 4) & 0x10c3_0c30_c30c_30c3;
+        (x | x << 2) & 0x1249_2492_4924_9249
+    }
+}
+
+/// Moves bit D k to bit k and drops the others.
+#[inline]
+fn gather<const D: usize>(code: u64) -> u32 {
+    let mut x = code;
+    if D == 2 {
+        x &= 0x5555_5555_5555_5555;
+        x = (x | x >> 1) & 0x3333_3333_3333_3333;
+        x = (x | x >> 2) & 0x0f0f_0f0f_0f0f_0f0f;
+        x = (x | x >> 4) & 0x00ff_00ff_00ff_00ff;
+        x = (x | x >> 8) & 0x0000_ffff_0000_ffff;
+        (x | x >> 16) as u32
+    } else {
+        x &= 0x1249_2492_4924_9249;
+        x = (x | x >> 2) & 0x10c3_0c30_c30c_30c3;
+        x = (x | x >> 4) & 0x100f_00f0_0f00_f00f;
+        x = (x | x >> 8) & 0x001f_0000_ff00_00ff;
+        x = (x | x >> 16) & 0x001f_0000_0000_ffff;
+        (x | x >> 32) as u32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn codes_interleave_bits_and_coarsen_by_shifting() {
+        assert_eq!(encode([0b11, 0b00, 0b01]), 0b100_101);
+        assert_eq!(encode([0b11, 0b01]), 0b10_11);
+        let top = (1 << BITS) - 1;
+        for c in [[0, 1, 2], [top, 0, top], [123_456, 2_000_000, 77]] {
+            assert_eq!(decode::<3>(encode(c)), c);
+            assert_eq!(decode::<3>(encode(c) >> 12), c.map(|c| c >> 4));
+            assert_eq!(decode::<2>(encode([c[0], c[1]])), [c[0], c[1]]);
+        }
+    }
+
+    #[test]
+    fn blocks_stop_at_the_edge_of_the_lattice() {
+        let inside: Vec<_> = Block::around::<2>(encode([1, 2]), 4).codes().iter().map(|&c| decode::<2>(c)).collect();
+        assert_eq!(inside, [[0, 1], [0, 2], [0, 3], [1, 1], [1, 2], [1, 3], [2, 1], [2, 2], [2, 3]]);
+        assert_eq!(Block::around::<3>(encode([5, 6, 7]), 1 << BITS).codes().len(), 27);
+        assert_eq!(Block::around::<3>(encode([0, 0, 0]), 2).codes().len(), 8);
+    }
+}
