@@ -21,7 +21,4 @@ pub mod scene;
 
 pub mod step;
 
-pub mod simulation;
-
-pub mod campaigns;
 pub mod cli;

@@ -64,14 +64,8 @@ impl<const D: usize> Decomposition<D> {
         self.bisection = Bisection::new(columns.numbers(self.handles.position.index), costs, comm.size(), comm);
     }
 
-    /// Builds on the present positions. Neighbour lists are to be made from `local` afterwards. Collective.
-    pub fn rebuild(&mut self, columns: &mut Columns, list_radius: &dyn Fn(&Columns, usize) -> f64, comm: &Comm) {
-        let position = columns.words(self.handles.position.index).to_vec();
-        columns.words_mut(self.handles.build_position.index).copy_from_slice(&position);
-        self.rebuild_from_build_positions(columns, list_radius, comm);
-    }
-
-    /// Builds what stood at the last build before a checkpoint. Collective.
+    /// Brings every particle to its owner and finds the ghosts, all on `build_position`: after a restart, what stood before
+    /// the checkpoint. Neighbour lists are to be made from `local` afterwards. Collective.
     pub fn rebuild_from_build_positions(
         &mut self,
         columns: &mut Columns,

@@ -258,6 +258,12 @@ impl Columns {
         &mut self.words[index]
     }
 
+    /// Column `to` becomes equal to column `from`, of the same width.
+    pub fn copy(&mut self, from: usize, to: usize) {
+        let [from, to] = self.words.get_disjoint_mut([from, to]).expect("two different columns");
+        to.copy_from_slice(from);
+    }
+
     /// The column's words read as numbers; meaningless for ids.
     pub fn numbers(&self, index: usize) -> &[f64] {
         bytemuck::cast_slice(&self.words[index])

@@ -1,5 +1,6 @@
 //! The particles of a rank and the step that moves them on.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use super::diagnostics::{self, Sources, Totals};
@@ -81,11 +82,11 @@ pub struct Stepper<'c, const D: usize> {
 
 impl<'c, const D: usize> Stepper<'c, D> {
     /// Takes over particles wherever they are; [`Stepper::start`] or [`Stepper::resume`] comes next.
-    pub fn new(comm: &'c Comm, columns: Columns, settings: StepSettings, threads: usize) -> Result<Self> {
-        let workers = Workers::new(threads, || Workspace::new(&columns.registry))?;
+    pub fn new(comm: &'c Comm, columns: Columns, settings: StepSettings) -> Self {
+        let workers = Workers::new(|| Workspace::new(&columns.registry));
         let internal_energy = columns.registry.find("internal_energy");
         let neighbourhood = Neighbourhood::new(&columns.registry, &settings);
-        Ok(Self {
+        Self {
             comm,
             columns,
             settings,
@@ -101,20 +102,20 @@ impl<'c, const D: usize> Stepper<'c, D> {
             all: Vec::new(),
             pointers: Vec::new(),
             bad: None,
-        })
+        }
     }
 
     /// New particles: distributes them, initialises their effects and evaluates once. Returns the first step.
     pub fn start(&mut self) -> Result<Agreed> {
-        self.rebuild(true)?;
+        self.rebuild(true);
         self.material_pass(|physics, chunk, workspace| physics.initialise(chunk, workspace));
-        self.evaluate(0.0)?;
+        self.evaluate(0.0);
         self.agree(0)
     }
 
     /// Particles of a checkpoint: lists stand on the positions of their last build, as if nothing had happened.
-    pub fn resume(&mut self) -> Result<()> {
-        self.rebuild(false)
+    pub fn resume(&mut self) {
+        self.rebuild(false);
     }
 
     /// Moves all particles on by `dt`, s. `signal` is this rank's wish to stop, agreed on with all others.
@@ -123,16 +124,15 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.material_pass(|physics, chunk, workspace| physics.predict(chunk, dt, workspace));
         self.phases.add(Phase::Predict, start);
         let start = Instant::now();
-        let exceeded = self.neighbourhood.exceeded(&self.columns, &self.settings, self.comm);
+        let mut used = [self.neighbourhood.skin_used(&self.columns, &self.settings, self.comm)];
         self.phases.add(Phase::Watch, start);
-        let mut rebuild = [exceeded as u64 as f64];
         let start = Instant::now();
-        self.comm.all_max(&mut rebuild);
+        self.comm.all_max(&mut used);
         self.phases.add(Phase::Reduce, start);
-        if rebuild[0] > 0.0 {
-            self.rebuild(true)?;
+        if used[0] > 1.0 {
+            self.rebuild(true);
         }
-        self.evaluate(dt)?;
+        self.evaluate(dt);
         self.counters.steps += 1;
         self.agree(signal)
     }
@@ -181,7 +181,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
     }
 
     fn material_pass(&mut self, work: impl Fn(&Physics, &crate::particles::Chunk, &mut Workspace) + Sync) {
-        let (registry, count) = (self.columns.registry.clone(), self.columns.len());
+        let (registry, count) = (Arc::clone(&self.columns.registry), self.columns.len());
         let physics = physics(&self.settings, &registry);
         let chunks = Chunks::new(&mut self.columns, std::mem::take(&mut self.pointers));
         self.workers.each(&self.all, |chunk, workspace| {
@@ -193,27 +193,27 @@ impl<'c, const D: usize> Stepper<'c, D> {
     }
 
     /// Pack, exchange, pair loop, rates, correction by `dt`.
-    fn evaluate(&mut self, dt: f64) -> Result<()> {
+    fn evaluate(&mut self, dt: f64) {
         let start = Instant::now();
         self.pack();
         self.phases.add(Phase::Pack, start);
         let layout = self.settings.pair_loop.layout;
-        let (stride, words) = (layout.stride(), layout.words());
+        let stride = layout.stride();
         let records: &[f64] = bytemuck::cast_slice(&self.records);
-        self.neighbourhood.send(records, stride, words, self.comm);
+        self.neighbourhood.send(records, stride, self.comm);
         let start = Instant::now();
         let interior = std::mem::take(&mut self.interior);
         for group in interior.chunks(CHUNKS_PER_POLL * self.workers.threads()) {
             self.evaluate_chunks(group, dt);
-            self.neighbourhood.exchange.poll();
+            self.neighbourhood.poll();
         }
         self.interior = interior;
         self.phases.add(Phase::Pairs, start);
         let start = Instant::now();
-        self.neighbourhood.exchange.wait(self.comm);
+        self.neighbourhood.wait(self.comm);
         self.phases.add(Phase::Wait, start);
         let start = Instant::now();
-        self.neighbourhood.receive(bytemuck::cast_slice_mut(&mut self.records), stride, words);
+        self.neighbourhood.receive(bytemuck::cast_slice_mut(&mut self.records), stride);
         let boundary = std::mem::take(&mut self.boundary);
         self.evaluate_chunks(&boundary, dt);
         self.boundary = boundary;
@@ -231,17 +231,16 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.counters.pairs += pairs;
         self.counters.updates += self.columns.len() as u64;
         self.phases.add(Phase::Pairs, start);
-        Ok(())
     }
 
     fn evaluate_chunks(&mut self, items: &[u32], dt: f64) {
-        let (registry, count) = (self.columns.registry.clone(), self.columns.len());
+        let (registry, count) = (Arc::clone(&self.columns.registry), self.columns.len());
         let physics = physics(&self.settings, &registry);
         let rows = Rows {
             records: bytemuck::cast_slice(&self.records),
             offsets: &self.neighbourhood.list.offsets,
             entries: &self.neighbourhood.list.entries,
-            slots: &self.neighbourhood.local.slot_of_owned,
+            slots: &self.neighbourhood.local().slot_of_owned,
         };
         let chunks = Chunks::new(&mut self.columns, std::mem::take(&mut self.pointers));
         self.workers.each(items, |chunk, workspace| {
@@ -263,7 +262,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         }
         let records = Records(bytemuck::cast_slice_mut::<Line, f64>(&mut self.records).as_mut_ptr());
         let (columns, packer) = (&self.columns, &self.settings.packer);
-        let slots = &self.neighbourhood.local.slot_of_owned;
+        let slots = &self.neighbourhood.local().slot_of_owned;
         self.workers.each(&self.all, |chunk, _| {
             // SAFETY: `records` has a slot for every local particle, and no two particles share one.
             unsafe { packer.pack(columns, chunk_range(chunk, columns.len()), slots, records.start()) };
@@ -300,19 +299,26 @@ impl<'c, const D: usize> Stepper<'c, D> {
     }
 
     /// New lists; `fresh` from the present positions, otherwise from those of the last build.
-    fn rebuild(&mut self, fresh: bool) -> Result<()> {
-        let built = self.neighbourhood.rebuild(&mut self.columns, &self.settings, &self.workers, self.comm, fresh)?;
-        self.phases.seconds[Phase::Migration as usize] += built.migration_seconds;
-        self.phases.seconds[Phase::Lists as usize] += built.list_seconds;
-        self.counters.list_builds += fresh as u64;
-        self.counters.rebisections += built.rebisected as u64;
-        self.counters.migrated += built.migrated as u64;
+    fn rebuild(&mut self, fresh: bool) {
+        let start = Instant::now();
+        if fresh {
+            self.neighbourhood.start_afresh(&mut self.columns);
+            let rebisected = self.neighbourhood.balance(&self.columns, &self.phases, &self.counters, self.comm);
+            self.counters.list_builds += 1;
+            self.counters.rebisections += rebisected as u64;
+        }
+        self.neighbourhood.distribute(&mut self.columns, &self.settings, self.comm);
+        self.counters.migrated += self.neighbourhood.migrated() as u64;
+        self.phases.add(Phase::Migration, start);
+        let start = Instant::now();
+        self.neighbourhood.build_list();
+        self.phases.add(Phase::Lists, start);
         let count = self.columns.len();
         self.all.clear();
         self.all.extend(0..count.div_ceil(CHUNK) as u32);
         self.interior.clear();
         self.boundary.clear();
-        let mut rest = self.neighbourhood.boundary.iter().peekable();
+        let mut rest = self.neighbourhood.list.boundary.iter().peekable();
         for &chunk in &self.all {
             let range = chunk_range(chunk as usize, count);
             let mut with_ghosts = false;
@@ -323,10 +329,9 @@ impl<'c, const D: usize> Stepper<'c, D> {
         }
         let layout = self.settings.pair_loop.layout;
         let lines = layout.stride() / 8;
-        self.records.resize((self.neighbourhood.local.count + 1) * lines, Line([0.0; 8]));
-        let padding = self.neighbourhood.local.count * layout.stride();
+        self.records.resize((self.neighbourhood.local().count + 1) * lines, Line([0.0; 8]));
+        let padding = self.neighbourhood.local().count * layout.stride();
         layout.padding(&mut bytemuck::cast_slice_mut::<Line, f64>(&mut self.records)[padding..padding + layout.stride()]);
-        Ok(())
     }
 }
 

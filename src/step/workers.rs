@@ -8,48 +8,36 @@ use rayon::prelude::*;
 
 use crate::error::{Error, Result};
 
-/// Threads with a workspace each.
+/// Makes the pool of this process: `threads` threads, the calling one among them. Once per process, before any work.
+pub fn start_threads(threads: usize) -> Result<()> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread().build_global();
+    pool.map_err(|e| Error::new(format!("cannot start {threads} threads: {e}")))
+}
+
+/// A workspace for each thread of the pool.
 pub struct Workers<W> {
-    pool: Option<rayon::ThreadPool>,
     workspaces: Vec<Mutex<W>>,
 }
 
 impl<W: Send> Workers<W> {
-    pub fn new(threads: usize, workspace: impl Fn() -> W) -> Result<Self> {
-        let pool = if threads > 1 {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-            Some(pool.map_err(|e| Error::new(format!("cannot start {threads} threads: {e}")))?)
-        } else {
-            None
-        };
-        Ok(Self { pool, workspaces: (0..threads.max(1)).map(|_| Mutex::new(workspace())).collect() })
+    pub fn new(workspace: impl Fn() -> W) -> Self {
+        Self { workspaces: (0..rayon::current_num_threads()).map(|_| Mutex::new(workspace())).collect() }
     }
 
     pub fn threads(&self) -> usize {
         self.workspaces.len()
     }
 
-    /// Runs `work` inside the pool, for code that uses rayon itself.
-    pub fn install<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
-        match &self.pool {
-            Some(pool) => pool.install(work),
-            None => work(),
-        }
-    }
-
     /// `work(item, workspace)` for every item, in any order.
     pub fn each(&self, items: &[u32], work: impl Fn(usize, &mut W) + Sync) {
-        match &self.pool {
-            None => {
-                let mut workspace = self.workspaces[0].lock().unwrap();
-                items.iter().for_each(|&item| work(item as usize, &mut workspace));
-            }
-            Some(pool) => pool.install(|| {
-                items.par_iter().with_max_len(1).for_each(|&item| {
-                    let thread = rayon::current_thread_index().unwrap_or(0);
-                    work(item as usize, &mut self.workspaces[thread].lock().unwrap());
-                })
-            }),
+        if self.threads() == 1 {
+            let mut workspace = self.workspaces[0].lock().unwrap();
+            items.iter().for_each(|&item| work(item as usize, &mut workspace));
+        } else {
+            items.par_iter().with_max_len(1).for_each(|&item| {
+                let thread = rayon::current_thread_index().unwrap_or(0);
+                work(item as usize, &mut self.workspaces[thread].lock().unwrap());
+            });
         }
     }
 
@@ -81,17 +69,15 @@ mod tests {
 
     #[test]
     fn every_item_is_worked_on_once() {
-        for threads in [1, 3] {
-            let workers = Workers::new(threads, || 0u64).unwrap();
-            let items: Vec<u32> = (0..1000).collect();
-            let sum = AtomicU64::new(0);
-            workers.each(&items, |item, count| {
-                *count += 1;
-                sum.fetch_add(item as u64, Ordering::Relaxed);
-            });
-            let mut visits = 0;
-            workers.collect(|count| visits += *count);
-            assert_eq!((visits, sum.into_inner()), (1000, 499_500));
-        }
+        let workers = Workers::new(|| 0u64);
+        let items: Vec<u32> = (0..1000).collect();
+        let sum = AtomicU64::new(0);
+        workers.each(&items, |item, count| {
+            *count += 1;
+            sum.fetch_add(item as u64, Ordering::Relaxed);
+        });
+        let mut visits = 0;
+        workers.collect(|count| visits += *count);
+        assert_eq!((visits, sum.into_inner()), (1000, 499_500));
     }
 }

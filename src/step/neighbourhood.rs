@@ -1,0 +1,194 @@
+//! What ties particles to their neighbours between two list builds: who owns them, which ghosts came, the lists, and the
+//! watch that says when all of it must be made anew. Everything stands on the positions of the last build, so that a resumed
+//! run has the same lists.
+
+use super::phases::{Phase, Phases};
+use super::stepper::{Counters, StepSettings};
+use crate::domain::comm::Comm;
+use crate::domain::{Decomposition, Handles, Motion};
+use crate::kernel::SUPPORT;
+use crate::material::{BodyConstants, Core};
+use crate::neighbours::NeighbourList;
+use crate::particles::{Column, Columns, Lattice, Local, Registry};
+
+/// Planes are moved when the largest load of a rank exceeds the mean by more than this share.
+const TOLERATED_IMBALANCE: f64 = 0.05;
+
+/// Cost of a particle's own update in list entries, until it is measured.
+const FIRST_UPDATE_COST: f64 = 30.0;
+
+pub struct Neighbourhood<const D: usize> {
+    decomposition: Option<Decomposition<D>>,
+    pub list: NeighbourList<D>,
+    /// Largest load of a rank over the mean, at the last balance.
+    pub imbalance: f64,
+    handles: Handles,
+    core: Core,
+    smoothing_length: Option<(Column<f64>, Column<f64>)>,
+    /// List radius over smoothing length.
+    reach: f64,
+    /// Cells of the lattice are as wide as the smallest list radius of the scene.
+    lattice: Lattice,
+    words: usize,
+    costs: Vec<u32>,
+}
+
+impl<const D: usize> Neighbourhood<D> {
+    pub fn new(registry: &Registry, settings: &StepSettings) -> Self {
+        let core = settings.core;
+        let reach = SUPPORT * (1.0 + settings.skin);
+        let smallest = settings.constants.iter().map(|body| body.smoothing_length).fold(f64::INFINITY, f64::min);
+        Self {
+            decomposition: None,
+            list: NeighbourList::default(),
+            imbalance: 1.0,
+            handles: Handles { id: core.id, position: core.position, build_position: core.build_position },
+            core,
+            smoothing_length: registry.find("smoothing_length").zip(registry.find("build_smoothing_length")),
+            reach,
+            lattice: Lattice::new(reach * smallest),
+            words: settings.pair_loop.layout.words(),
+            costs: Vec::new(),
+        }
+    }
+
+    /// Owned particles and ghosts.
+    pub fn local(&self) -> &Local<D> {
+        &self.parts().local
+    }
+
+    /// Particles that left this rank at the last build.
+    pub fn migrated(&self) -> usize {
+        self.parts().migrated
+    }
+
+    fn parts(&self) -> &Decomposition<D> {
+        self.decomposition.as_ref().expect("particles are distributed first")
+    }
+
+    fn parts_mut(&mut self) -> &mut Decomposition<D> {
+        self.decomposition.as_mut().expect("particles are distributed first")
+    }
+
+    /// The next build stands on the present positions and smoothing lengths.
+    pub fn start_afresh(&self, columns: &mut Columns) {
+        columns.copy(self.core.position.index, self.core.build_position.index);
+        if let Some((now, at_build)) = self.smoothing_length {
+            columns.copy(now.index, at_build.index);
+        }
+    }
+
+    /// Distributes particles over ranks and finds the ghosts, on build positions. Collective.
+    pub fn distribute(&mut self, columns: &mut Columns, settings: &StepSettings, comm: &Comm) {
+        let (at_build, reach, id) = (self.smoothing_length, self.reach, self.core.id);
+        let radius = |columns: &Columns, i: usize| {
+            let h = match at_build {
+                Some((_, column)) => columns.get(column, i),
+                None => settings.constants[columns.get(id, i).body()].smoothing_length,
+            };
+            reach * h
+        };
+        match &mut self.decomposition {
+            Some(decomposition) => decomposition.rebuild_from_build_positions(columns, &radius, comm),
+            None => {
+                let basis = (self.handles, self.lattice, self.words);
+                self.decomposition = Some(Decomposition::new(columns, basis, &radius, comm));
+            }
+        }
+    }
+
+    /// Neighbours of every owned particle.
+    pub fn build_list(&mut self) {
+        self.list.build(&self.decomposition.as_ref().expect("particles are distributed first").local);
+    }
+
+    /// How much of the skin is used up, as far as this rank sees; lists hold while no rank finds more than 1. Collective.
+    pub fn skin_used(&mut self, columns: &Columns, settings: &StepSettings, comm: &Comm) -> f64 {
+        let (now, id) = (self.smoothing_length, self.core.id);
+        let constants: &[BodyConstants] = &settings.constants;
+        let support = |i: usize| {
+            SUPPORT
+                * match now {
+                    Some((column, _)) => columns.get(column, i),
+                    None => constants[columns.get(id, i).body()].smoothing_length,
+                }
+        };
+        let motion = Motion {
+            position: columns.numbers(self.core.position.index),
+            build_position: columns.numbers(self.core.build_position.index),
+            support,
+        };
+        self.parts_mut().watch.skin_used(&motion, comm)
+    }
+
+    /// Moves the planes of the bisection if the loads of ranks differ too much; the next [`Neighbourhood::distribute`]
+    /// follows them. A particle costs its list entries and its own update, in the proportion measured so far. Collective.
+    pub fn balance(&mut self, columns: &Columns, phases: &Phases, counters: &Counters, comm: &Comm) -> bool {
+        if comm.size() == 1 || self.decomposition.is_none() {
+            return false;
+        }
+        let own = self.update_cost(phases, counters);
+        self.costs.clear();
+        self.costs.extend(self.list.offsets.windows(2).map(|row| ((row[1] - row[0]) as f64 + own) as u32));
+        let mine: u64 = self.costs.iter().map(|&cost| cost as u64).sum();
+        let mut most = [mine as f64];
+        comm.all_max(&mut most);
+        let mut total = [mine as i64];
+        comm.all_sum(&mut total);
+        self.imbalance = most[0] * comm.size() as f64 / total[0] as f64;
+        let unbalanced = self.imbalance > 1.0 + TOLERATED_IMBALANCE;
+        if unbalanced {
+            let costs = std::mem::take(&mut self.costs);
+            self.parts_mut().bisect(columns, &costs, comm);
+            self.costs = costs;
+        }
+        unbalanced
+    }
+
+    /// Cost of a particle's own update in list entries.
+    fn update_cost(&self, phases: &Phases, counters: &Counters) -> f64 {
+        let seconds = |phase: Phase| phases.seconds[phase as usize];
+        let pairs = seconds(Phase::Pairs);
+        let entries = *self.list.offsets.last().unwrap_or(&0) as f64;
+        if counters.steps < 10 || pairs <= 0.0 || entries == 0.0 {
+            return FIRST_UPDATE_COST;
+        }
+        let particles = (self.list.offsets.len() - 1) as f64;
+        let update = (seconds(Phase::Predict) + seconds(Phase::Pack) + seconds(Phase::Watch)) / particles;
+        (update / (pairs / entries)).clamp(1.0, 200.0)
+    }
+
+    /// Sends the records of boundary particles on their way.
+    pub fn send(&mut self, records: &[f64], stride: usize, comm: &Comm) {
+        let words = self.words;
+        let Decomposition { ghosts, local, .. } = self.parts_mut();
+        let outgoing = ghosts.exchange.outgoing().chunks_exact_mut(words);
+        for (&i, to) in ghosts.send_indices.iter().zip(outgoing) {
+            let slot = local.slot_of_owned[i as usize] as usize;
+            to.copy_from_slice(&records[slot * stride..slot * stride + words]);
+        }
+        ghosts.exchange.start(comm);
+    }
+
+    pub fn poll(&mut self) {
+        self.parts_mut().ghosts.exchange.poll();
+    }
+
+    pub fn wait(&mut self, comm: &Comm) {
+        self.parts_mut().ghosts.exchange.wait(comm);
+    }
+
+    /// Puts the records that came into their slots.
+    pub fn receive(&self, records: &mut [f64], stride: usize) {
+        let Decomposition { ghosts, local, .. } = self.parts();
+        let incoming = ghosts.exchange.incoming().chunks_exact(self.words);
+        for (&slot, from) in local.slot_of_incoming.iter().zip(incoming) {
+            records[slot as usize * stride..slot as usize * stride + self.words].copy_from_slice(from);
+        }
+    }
+
+    /// Ghosts held by this rank.
+    pub fn ghosts(&self) -> usize {
+        self.local().ghosts()
+    }
+}
