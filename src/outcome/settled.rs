@@ -55,6 +55,11 @@ impl Settled {
         self.since.is_some()
     }
 
+    /// The earliest time at which it can settle, s.
+    pub fn earliest(&self) -> f64 {
+        self.first_contact + LEAST_CROSSINGS * self.crossing
+    }
+
     /// When it settled, s.
     pub fn since(&self) -> Option<f64> {
         self.since

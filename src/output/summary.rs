@@ -57,6 +57,10 @@ pub struct Summary {
     pub exchanged_bytes_per_step: f64,
     /// Largest load of a rank over the mean.
     pub imbalance: f64,
+    pub list_builds: u64,
+    pub rebisections: u64,
+    /// Moves of particles between ranks.
+    pub migrated_particles: u64,
     /// Errors against the exact solution that the scene names.
     pub errors: Figures,
     #[serde(skip_serializing_if = "Option::is_none")]

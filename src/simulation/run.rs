@@ -26,8 +26,6 @@ pub struct Options {
     pub directory: PathBuf,
     /// Go on from the newest whole checkpoint, where there is one.
     pub resume: bool,
-    /// Threads of this rank.
-    pub threads: usize,
     /// Resident bytes of the process before anything was made.
     pub resident_at_start: f64,
 }
@@ -102,8 +100,8 @@ impl<'a, const D: usize> Run<'a, D> {
                     tracing::warn!("the newest checkpoint was not taken: {refused}");
                 }
                 tracing::info!("going on from {}", saved.path.display());
-                let mut stepper = Stepper::new(comm, saved.columns, plan.settings(scene), options.threads)?;
-                stepper.resume()?;
+                let mut stepper = Stepper::new(comm, saved.columns, plan.settings(scene));
+                stepper.resume();
                 let mut state: RunState =
                     serde_json::from_str(&saved.meta.json).map_err(|e| Error::new(format!("its state cannot be read: {e}")))?;
                 (state.counters.pairs, state.counters.updates, state.counters.migrated) = (0, 0, 0);
@@ -111,7 +109,7 @@ impl<'a, const D: usize> Run<'a, D> {
             }
             None => {
                 let (columns, settings) = plan.populate(scene, comm);
-                (Stepper::new(comm, columns, settings, options.threads)?, None)
+                (Stepper::new(comm, columns, settings), None)
             }
         };
         let state = match state {
@@ -258,7 +256,7 @@ impl<'a, const D: usize> Run<'a, D> {
 
     fn write_history(&mut self) -> Result<()> {
         let (limit, reason) = self.stepper.tightest_limit();
-        let cells = report::history_row(&self.state, &self.totals, (&limit, reason));
+        let cells = report::history_row(&self.state, &self.totals, (&limit, reason), D == 2);
         tracing::debug!(
             "step {}: dt {:.3e} s, limited by {reason} of particle {} of body {} at {:?}",
             self.state.counters.steps,
@@ -280,8 +278,7 @@ impl<'a, const D: usize> Run<'a, D> {
             target_mass: self.scene.bodies[target].mass(),
             opening: Opening::default(),
         };
-        let comm = self.comm;
-        let evaluation = self.stepper.workers.install(|| outcome::evaluate(comm, &particles, &question));
+        let evaluation = outcome::evaluate(self.comm, &particles, &question);
         self.stepper.phases.add(Phase::Outcome, start);
         evaluation
     }
@@ -427,10 +424,11 @@ impl<'a, const D: usize> Run<'a, D> {
 
     fn report(self, ended: Ended) -> Result<RunReport> {
         let spent = self.spent();
-        let summary = report::summarise(Report {
+        let summary = report::summarise(&Report {
             scene: self.scene,
             stepper: &self.stepper,
             state: &self.state,
+            totals: &self.totals,
             later: self.later.as_ref(),
             spent,
             resident_at_start: self.options.resident_at_start,

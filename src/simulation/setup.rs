@@ -63,7 +63,8 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Plan {
         smoothing_length,
     };
     let (core, effects) = material::effects(&setup, &mut registry);
-    let viscosity: Vec<(f64, f64)> = body_material.iter().map(|&m| scene.materials[m].viscosity_coefficients()).collect();
+    let coefficients = |&m: &usize| scene.materials[m].viscosity_coefficients().map_or((0.0, 0.0), |[a, b]| (a, b));
+    let viscosity: Vec<(f64, f64)> = body_material.iter().map(coefficients).collect();
     let tensile = scene.numerics.artificial_stress.is_some();
     let terms = Terms {
         tensor: tensile || scene.materials.iter().any(|m| m.has_strength()),
@@ -111,7 +112,7 @@ impl Plan {
             PackSettings {
                 terms: self.terms,
                 constants: self.constants.clone(),
-                viscosity: if numerics.viscosity { self.viscosity.clone() } else { vec![(0.0, 0.0); self.viscosity.len()] },
+                viscosity: self.viscosity.clone(),
                 artificial_stress_factor: numerics.artificial_stress.map_or(0.0, |a| a.factor),
                 eta: numerics.eta,
             },

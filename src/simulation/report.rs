@@ -1,0 +1,246 @@
+//! What a run says about itself: rows of history.csv, distributions, the picture, and the summary with its price.
+
+use std::path::Path;
+
+use super::resources;
+use super::state::{RunState, Spent};
+use crate::domain::comm::Comm;
+use crate::error::Result;
+use crate::material::MaterialEffect;
+use crate::math::Vec3;
+use crate::outcome::distributions::distributions;
+use crate::outcome::{Evaluation, Outcome};
+use crate::output::figures::cut;
+use crate::output::figures::raster::Plane;
+use crate::output::publish::replace_text;
+use crate::output::summary::Figures;
+use crate::output::{Cell, Summary, agree, state_hash};
+use crate::scene::Scene;
+use crate::step::phases::{NAMES, Phase};
+use crate::step::time_step::Limit;
+use crate::step::{Stepper, Totals};
+
+/// Names and units of history.csv.
+pub fn history_columns(effects: &[Box<dyn MaterialEffect>], scene: &Scene) -> Vec<(String, String)> {
+    let fixed = [
+        ("step", ""),
+        ("time", "s"),
+        ("dt", "s"),
+        ("limited_by", ""),
+        ("limiting_body", ""),
+        ("limiting_site", ""),
+        ("kinetic_energy", "J"),
+        ("internal_energy", "J"),
+        ("total_energy", "J"),
+        ("momentum_x", "kg m/s"),
+        ("momentum_y", "kg m/s"),
+        ("momentum_z", "kg m/s"),
+        ("angular_momentum_x", "kg m^2/s"),
+        ("angular_momentum_y", "kg m^2/s"),
+        ("angular_momentum_z", "kg m^2/s"),
+    ];
+    let planar = scene.dimension == 2;
+    let kept = fixed.iter().filter(|(name, _)| {
+        !planar || !["momentum_z", "angular_momentum_x", "angular_momentum_y"].contains(name)
+    });
+    let own = |(name, unit): &(&str, &str)| (name.to_string(), unit.to_string());
+    let diagnostics = effects.iter().flat_map(|effect| effect.diagnostics());
+    kept.map(own).chain(diagnostics.map(|d| (d.name.to_string(), d.unit.to_string()))).collect()
+}
+
+/// One row of history.csv.
+pub fn history_row(state: &RunState, totals: &Totals, (limit, reason): (&Limit, &str), planar: bool) -> Vec<Cell> {
+    let mut cells = vec![
+        Cell::Integer(state.counters.steps),
+        Cell::Real(state.time),
+        Cell::Real(state.dt),
+        Cell::Text(reason.to_string()),
+        Cell::Integer(limit.id.body() as u64),
+        Cell::Integer(limit.id.site()),
+        Cell::Real(totals.kinetic),
+        Cell::Real(totals.internal),
+        Cell::Real(totals.energy()),
+    ];
+    let (p, l) = (totals.momentum, totals.angular_momentum);
+    let vectors = if planar { vec![p.x, p.y, l.z] } else { vec![p.x, p.y, p.z, l.x, l.y, l.z] };
+    cells.extend(vectors.iter().chain(&totals.effects).map(|x| Cell::Real(*x)));
+    cells
+}
+
+/// fragments.csv, sizes.csv and velocities.csv. Collective.
+pub fn write_distributions(evaluation: &Evaluation, dimension: usize, directory: &Path, comm: &Comm) -> Result<()> {
+    let tables = distributions(comm, evaluation, dimension);
+    let write = || {
+        replace_text(&directory.join("fragments.csv"), &tables.fragments)?;
+        replace_text(&directory.join("sizes.csv"), &tables.sizes)?;
+        replace_text(&directory.join("velocities.csv"), &tables.velocities)
+    };
+    agree(comm, if comm.is_root() { write() } else { Ok(()) })
+}
+
+/// What a picture is made from.
+pub struct PictureSource<'a, 'c, const D: usize> {
+    pub scene: &'a Scene,
+    pub stepper: &'a Stepper<'c, D>,
+    pub time: f64,
+    pub directory: &'a Path,
+}
+
+/// outcome.png: a cut through the plane of impact. Collective.
+pub fn draw_cut<const D: usize>(source: &PictureSource<D>, comm: &Comm) -> Result<()> {
+    let target = source.scene.impact.as_ref().map_or(0, |impact| impact.target);
+    let origin = Vec3::from(source.scene.bodies[target].centre);
+    let plane = Plane { origin, across: Vec3::x(), up: Vec3::y() };
+    let title = format!("{} (t = {:.4} s)", source.scene.title, source.time);
+    let particles = (&source.stepper.columns, &source.stepper.settings.constants[..]);
+    cut::draw(&source.directory.join("outcome.png"), &title, &plane, particles, comm)
+}
+
+/// What a summary is made from.
+pub struct Report<'a, 'c, const D: usize> {
+    pub scene: &'a Scene,
+    pub stepper: &'a Stepper<'c, D>,
+    pub state: &'a RunState,
+    pub totals: &'a Totals,
+    pub later: Option<&'a Outcome>,
+    pub spent: Spent,
+    pub resident_at_start: f64,
+    pub comm: &'a Comm,
+}
+
+/// The figures of a run. Collective.
+pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
+    let (stepper, state, comm) = (report.stepper, report.state, report.comm);
+    let owned = stepper.columns.len();
+    let memory = (resources::peak_resident_bytes() - report.resident_at_start).max(0.0);
+    let list = stepper.neighbourhood.list.bytes();
+    let mut sums = [
+        owned as i64,
+        stepper.neighbourhood.ghosts() as i64,
+        memory as i64,
+        list as i64,
+        comm.bytes_sent() as i64,
+        stepper.workers.threads() as i64,
+    ];
+    comm.all_sum(&mut sums);
+    let [particles, ghosts, memory, list, bytes, threads] = sums.map(|x| x as f64);
+    let spent = &report.spent;
+    let core_seconds = (spent.cpu - spent.wait).max(1e-9);
+    let conservation = &state.conservation;
+    Summary {
+        title: report.scene.title.clone(),
+        version: env!("CARGO_PKG_VERSION").to_string(),
+        state_hash: state_hash(&stepper.columns, stepper.settings.core.id, comm),
+        time: state.time,
+        steps: state.counters.steps,
+        particles: particles as u64,
+        ranks: comm.size(),
+        threads_per_rank: threads as usize / comm.size(),
+        wall_seconds: spent.wall,
+        mpi_wait_seconds: spent.wait,
+        core_seconds,
+        pair_interactions: spent.pairs,
+        updates_per_core_second: spent.updates as f64 / core_seconds,
+        bytes_per_particle: memory / particles,
+        list_bytes_per_particle: list / particles,
+        energy_drift: conservation.energy_drift(),
+        momentum_drift: conservation.momentum,
+        angular_momentum_drift: conservation.angular_momentum,
+        phases: phase_shares(stepper, comm),
+        effects: Figures::default(),
+        ghost_fraction: ghosts / particles,
+        exchanged_bytes_per_step: bytes / state.counters.steps.max(1) as f64,
+        imbalance: stepper.neighbourhood.imbalance,
+        list_builds: state.counters.list_builds,
+        rebisections: state.counters.rebisections,
+        migrated_particles: spent.migrated,
+        errors: Figures::default(),
+        outcome: state.outcome.as_ref().map(|outcome| outcome_figures(report, outcome)),
+        threshold: None,
+    }
+}
+
+/// Share of each phase in the time of all ranks. Collective.
+fn phase_shares<const D: usize>(stepper: &Stepper<D>, comm: &Comm) -> Figures {
+    let mut micro: Vec<i64> = stepper.phases.seconds.iter().map(|s| (1e6 * s) as i64).collect();
+    comm.all_sum(&mut micro);
+    let total = micro.iter().sum::<i64>().max(1) as f64;
+    Figures(NAMES.iter().zip(&micro).map(|(name, t)| (name.to_string(), *t as f64 / total)).collect())
+}
+
+fn outcome_figures<const D: usize>(report: &Report<D>, outcome: &Outcome) -> Figures {
+    let named = |name: &str, value: f64| (name.to_string(), value);
+    let mut figures = vec![
+        named("time", report.state.outcome_time),
+        named("largest_remnant_fraction", outcome.largest_remnant_fraction),
+        named("largest_remnant_of_total", outcome.largest_remnant_of_total),
+        named("largest_remnant_fraction_strict", outcome.strict.largest_remnant_fraction),
+        named("largest_fragment_fraction", outcome.largest_fragment_fraction),
+        named("largest_fragment_fraction_strict", outcome.strict.largest_fragment_fraction),
+        named("second_remnant_fraction", outcome.second_remnant_fraction),
+        named("fragments", outcome.fragments as f64),
+        named("unbound_mass", outcome.unbound_mass),
+        named("target_mass", outcome.target_mass),
+        named("total_mass", outcome.total_mass),
+    ];
+    if let Some(later) = report.later {
+        figures.push(named("largest_remnant_fraction_later", later.largest_remnant_fraction));
+        figures.push(named("largest_remnant_of_total_later", later.largest_remnant_of_total));
+    }
+    let diagnostics = report.stepper.settings.effects.iter().flat_map(|effect| effect.diagnostics());
+    for (diagnostic, total) in diagnostics.zip(&report.totals.effects) {
+        let share = diagnostic.name.strip_suffix("_mass").map(|what| format!("{what}_fraction"));
+        figures.push((share.unwrap_or_else(|| diagnostic.name.to_string()), total / report.totals.mass));
+    }
+    Figures(figures)
+}
+
+/// Longitudinal speed of sound of the first body's material, m/s.
+pub fn sound_speed(scene: &Scene) -> f64 {
+    let body = &scene.bodies[scene.impact.as_ref().map_or(0, |impact| impact.target)];
+    let material = &scene.materials[body.material];
+    let (_, bulk) = material.eos.law().pressure(body.density, body.internal_energy);
+    let shear = material.strength.as_ref().map_or(0.0, |strength| strength.shear_modulus.0);
+    (bulk * bulk + 4.0 / 3.0 * shear / body.density).sqrt()
+}
+
+/// The end of a run on the terminal, rank 0.
+pub fn print(summary: &Summary, directory: &Path) {
+    let phase = |phase: Phase| 100.0 * summary.phases.0[phase as usize].1;
+    tracing::info!(
+        "{} steps to t = {:.4e} s; drift of energy {:.1e}, momentum {:.1e}, angular momentum {:.1e}",
+        summary.steps,
+        summary.time,
+        summary.energy_drift,
+        summary.momentum_drift,
+        summary.angular_momentum_drift
+    );
+    tracing::info!(
+        "{:.1} s wall, {:.1} core-seconds ({:.1} s of MPI waits apart), {:.2e} updates per core-second, {:.0} bytes per particle",
+        summary.wall_seconds,
+        summary.core_seconds,
+        summary.mpi_wait_seconds,
+        summary.updates_per_core_second,
+        summary.bytes_per_particle
+    );
+    tracing::info!(
+        "pairs {:.0} %, material {:.0} %, lists {:.0} %, migration {:.0} %, pack {:.0} %, exposed wait {:.0} %, output {:.0} %",
+        phase(Phase::Pairs),
+        phase(Phase::Predict),
+        phase(Phase::Lists),
+        phase(Phase::Migration),
+        phase(Phase::Pack),
+        phase(Phase::Wait) + phase(Phase::Reduce),
+        phase(Phase::Output)
+    );
+    if let Some(outcome) = &summary.outcome {
+        let of = |name: &str| outcome.0.iter().find(|(n, _)| n == name).map_or(f64::NAN, |(_, v)| *v);
+        tracing::info!(
+            "largest remnant {:.3} of the target (intact fragment {:.3}), {} fragments",
+            of("largest_remnant_fraction"),
+            of("largest_fragment_fraction"),
+            of("fragments")
+        );
+    }
+    tracing::info!("written to {}", directory.display());
+}
