@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result};
-use crate::units::{NumberDensity, Number, Pressure, SpecificEnergy};
+use crate::units::{Number, NumberDensity, Pressure, SpecificEnergy};
 
 pub mod eos {
     use crate::units::{Density, Number, Pressure, SpecificEnergy};
