@@ -25,6 +25,19 @@ pub struct Document<'a> {
     set: Vec<(String, &'a str)>,
 }
 
+/// Keys that say the same thing in another way: where one is set over a scene, the later word counts.
+const RIVALS: [(&str, &[&str]); 9] = [
+    ("particles", &["spacing"]),
+    ("spacing", &["particles"]),
+    ("snapshots", &["every"]),
+    ("every", &["snapshots"]),
+    ("seed", &["axis", "angle"]),
+    ("axis", &["seed"]),
+    ("angle", &["seed"]),
+    ("pressure", &["internal_energy"]),
+    ("internal_energy", &["pressure"]),
+];
+
 impl<'a> Document<'a> {
     pub fn parse(source: &'a Source) -> Result<Self> {
         let tree = source.text.parse::<Table>().map_err(|e| {
@@ -119,15 +132,9 @@ impl<'a> Document<'a> {
         let table = descend(&mut self.tree, parents).ok_or_else(|| {
             Error::new(format!("`{key}` leads through a key that is not a table")).at(format!("--set {text}"))
         })?;
-        // Particle number and spacing say the same thing; the later word counts.
-        let rival = match *last {
-            "particles" => "spacing",
-            "spacing" => "particles",
-            "snapshots" => "every",
-            "every" => "snapshots",
-            _ => "",
-        };
-        table.remove(rival);
+        for rivals in RIVALS.iter().filter(|(key, _)| key == last).map(|(_, rivals)| *rivals) {
+            rivals.iter().for_each(|rival| drop(table.remove(*rival)));
+        }
         let removes =
             value.as_bool() == Some(false) && table.get(*last).is_some_and(|old| old.is_table() || old.is_array());
         if removes {

@@ -46,6 +46,14 @@ fn every_input_reads_back_from_its_own_print() {
 }
 
 #[test]
+fn a_printed_scene_can_be_changed() {
+    let scene = parse(IMPACT, &[]).unwrap();
+    let printed = scene.to_toml();
+    let changes = ["target.orientation.seed=2", "target.spacing=1 km", "output.every=1 s", "projectile.radius=2 km"];
+    assert_eq!(parse(&printed, &changes).unwrap().bodies, parse(IMPACT, &changes).unwrap().bodies);
+}
+
+#[test]
 fn scenes_travel_as_bytes() {
     for scene in inputs() {
         let bytes = serde_json::to_vec(&scene).unwrap();
