@@ -76,7 +76,9 @@ mod tests {
         assert_eq!(args.overrides, ["x=1", "y.z=2"]);
         assert_eq!((args.threads, args.resume, args.check), (Some(2), true, false));
         assert_eq!(parse("sph-mpi a.toml --check --ranks 8").unwrap().ranks, Some(8));
-        for bad in ["sph-mpi", "sph-mpi a --threads 0", "sph-mpi a --ranks 2", "sph-mpi a --check --resume", "sph-mpi a b"] {
+        for bad in
+            ["sph-mpi", "sph-mpi a --threads 0", "sph-mpi a --ranks 2", "sph-mpi a --check --resume", "sph-mpi a b"]
+        {
             assert!(parse(bad).is_err(), "{bad}");
         }
     }

@@ -175,9 +175,9 @@ impl Reader<'_> {
             RawShape::HalfSphere(ball) => {
                 Ok(Shape::HalfSphere { radius: self.positive("shape.half_sphere.radius", ball.radius)? })
             }
-            RawShape::Cylinder(_) if self.dimension == 2 => {
-                Err(self.error("shape.cylinder", "a cylinder needs three dimensions").allowed("sphere, box, half_sphere"))
-            }
+            RawShape::Cylinder(_) if self.dimension == 2 => Err(self
+                .error("shape.cylinder", "a cylinder needs three dimensions")
+                .allowed("sphere, box, half_sphere")),
             RawShape::Cylinder(cylinder) => Ok(Shape::Cylinder {
                 radius: self.positive("shape.cylinder.radius", cylinder.radius)?,
                 height: self.positive("shape.cylinder.height", cylinder.height)?,
@@ -211,7 +211,8 @@ impl Reader<'_> {
     ) -> Result<[f64; 3]> {
         let given = components.0.len();
         if given != self.dimension {
-            let what = format!("{given} component{} in {} dimensions", if given == 1 { "" } else { "s" }, self.dimension);
+            let what =
+                format!("{given} component{} in {} dimensions", if given == 1 { "" } else { "s" }, self.dimension);
             return Err(self.error(key, what).allowed(format!("{} components", self.dimension)));
         }
         let mut vector = [0.0; 3];
@@ -228,7 +229,9 @@ impl Reader<'_> {
             }
             Some(_) if !material.has_fracture() => {
                 let what = format!("material `{}` has no fracture, so there is no damage", raw.material);
-                return Err(self.error("damage", what).allowed(format!("a table [material.{}.fracture]", raw.material)));
+                return Err(self
+                    .error("damage", what)
+                    .allowed(format!("a table [material.{}.fracture]", raw.material)));
             }
             Some(_) => {}
         }
@@ -253,7 +256,9 @@ impl Reader<'_> {
                 energy.0
             }
             (Some(_), Some(_), _) => {
-                return Err(self.error("pressure", "both pressure and internal_energy are given").allowed("one of them"));
+                return Err(self
+                    .error("pressure", "both pressure and internal_energy are given")
+                    .allowed("one of them"));
             }
             (Some(pressure), None, EosTable::IdealGas(gas)) => {
                 self.positive("pressure", pressure)?;
@@ -304,7 +309,9 @@ impl Reader<'_> {
                 return Err(self.error("particles", "both particles and spacing are given").allowed("one of them"));
             }
             (None, None) => {
-                return Err(self.error("particles", "the body has no particles").allowed("particles = 20000 or spacing = \"2 km\""));
+                return Err(self
+                    .error("particles", "the body has no particles")
+                    .allowed("particles = 20000 or spacing = \"2 km\""));
             }
             (Some(0), None) => return Err(self.error("particles", "particles is 0").allowed("1 or more")),
             (Some(particles), None) => filling.with_particles(particles),
@@ -343,7 +350,7 @@ impl Filling<'_> {
     }
 
     /// The spacing follows from the volume; flat faces can hold a row more or less than that, so spacings near it are tried
-    /// until the number is within one per cent.
+    /// until the number is within one per cent. Where none is (rows come and go as a whole), the nearest is taken.
     fn with_particles(&self, particles: u64) -> Result<Lattice> {
         let expected = self.spacing_of(particles as f64);
         let mut best = self.lattice(expected)?;

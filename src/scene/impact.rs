@@ -74,7 +74,8 @@ impl Impact {
                 let up = target.dimension - 1;
                 let top = |b: Bounds| b.middle[up] + b.half[up];
                 let bottom = |b: Bounds| b.middle[up] - b.half[up];
-                let height = top(target.shape.bounds(target.dimension)) - bottom(projectile.shape.bounds(target.dimension));
+                let height =
+                    top(target.shape.bounds(target.dimension)) - bottom(projectile.shape.bounds(target.dimension));
                 let (mut centre, mut velocity) = (target.centre, [0.0; 3]);
                 centre[0] += gap * s / c;
                 centre[up] += height + gap;

@@ -19,7 +19,8 @@ fn explain(document: &Document, path: &str, message: &str) -> Error {
         let (found, known) = names(rest);
         // The path of an unknown key ends in the key or in its table.
         let path = if path.rsplit('.').next() == Some(&found) { path.to_string() } else { join(path, &found) };
-        let bodies = if path.contains('.') { Vec::new() } else { document.body_names().iter().map(|n| n.to_string()).collect() };
+        let bodies =
+            if path.contains('.') { Vec::new() } else { document.body_names().iter().map(|n| n.to_string()).collect() };
         return unknown(document, &path, "key", &found, &[bodies, known].concat());
     }
     if let Some(rest) = message.strip_prefix("unknown variant ") {

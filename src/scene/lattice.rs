@@ -169,10 +169,8 @@ mod tests {
     /// Neighbours at the spacing of the site nearest the middle, and the least distance of any two sites.
     fn shells(lattice: &Lattice) -> (usize, f64) {
         let all: Vec<_> = (0..lattice.sites()).map(|s| lattice.position(s)).collect();
-        let middle = *all
-            .iter()
-            .min_by(|a, b| distance(**a, lattice.middle).total_cmp(&distance(**b, lattice.middle)))
-            .unwrap();
+        let middle =
+            *all.iter().min_by(|a, b| distance(**a, lattice.middle).total_cmp(&distance(**b, lattice.middle))).unwrap();
         let touching = all.iter().filter(|p| (distance(**p, middle) - lattice.spacing).abs() < 1e-12).count();
         let mut least = f64::INFINITY;
         for (i, a) in all.iter().enumerate() {

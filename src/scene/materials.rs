@@ -29,7 +29,10 @@ pub fn complete(document: &mut Document) -> Result<()> {
     for (number, name) in used.iter().enumerate() {
         if !all.contains_key(*name) {
             let place = format!("body.{number}.material");
-            all.insert(name.to_string(), Value::Table(material(document, &library, name, own.get(*name), &place, viscosity)?));
+            all.insert(
+                name.to_string(),
+                Value::Table(material(document, &library, name, own.get(*name), &place, viscosity)?),
+            );
         }
     }
     document.tree.insert("material".into(), Value::Table(all));
@@ -61,7 +64,9 @@ fn material(
         return Err(unknown(document, &place, "material", base, &known));
     }
     let mut complete = Table::new();
-    let defaults = |key: &str| [stored.and_then(|s| s.get(key)), library[EVERY].get(key)].into_iter().flatten().filter_map(Value::as_table);
+    let defaults = |key: &str| {
+        [stored.and_then(|s| s.get(key)), library[EVERY].get(key)].into_iter().flatten().filter_map(Value::as_table)
+    };
     let eos = own.remove("eos").or_else(|| stored?.get("eos").map(without_sources));
     if let Some(mut eos) = eos {
         fill_same_law(&mut eos, stored.and_then(|s| s.get("eos")));
@@ -146,7 +151,10 @@ mod tests {
         let library: Table = LIBRARY.parse().unwrap();
         fn sourced(path: &str, table: &Table) {
             let numbers = table.iter().any(|(_, v)| !v.is_table());
-            assert!(!numbers || table.get(SOURCE).is_some_and(|s| !s.as_str().unwrap().is_empty()), "{path} has no source");
+            assert!(
+                !numbers || table.get(SOURCE).is_some_and(|s| !s.as_str().unwrap().is_empty()),
+                "{path} has no source"
+            );
             for (key, inner) in table.iter().filter_map(|(k, v)| Some((k, v.as_table()?))) {
                 sourced(&format!("{path}.{key}"), inner);
             }
@@ -158,7 +166,8 @@ mod tests {
             for table in stored.keys().filter(|k| *k != "eos") {
                 text += &format!("{table} = true\n");
             }
-            let table: MaterialTable = completed(&text).unwrap()[name].clone().try_into().unwrap_or_else(|e| panic!("{name}: {e}"));
+            let table: MaterialTable =
+                completed(&text).unwrap()[name].clone().try_into().unwrap_or_else(|e| panic!("{name}: {e}"));
             table.validate(name).unwrap();
         }
     }

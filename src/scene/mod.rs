@@ -50,7 +50,8 @@ pub struct Scene {
 /// Reads a scene from a file. `overrides` are `key=value`, as after `--set`.
 pub fn read(path: &Path, overrides: &[String]) -> Result<Scene> {
     let place = path.display().to_string();
-    let text = std::fs::read_to_string(path).map_err(|e| Error::new(format!("cannot read the scene: {e}")).at(&place))?;
+    let text =
+        std::fs::read_to_string(path).map_err(|e| Error::new(format!("cannot read the scene: {e}")).at(&place))?;
     Scene::from_source(Source { path: place, text, overrides: overrides.to_vec() })
 }
 
@@ -82,8 +83,8 @@ impl Scene {
         materials::complete(&mut document)?;
         let mut raw = keys::deserialize(&document)?;
         let mut scene = validate(&document, &mut raw)?;
-        scene.understood =
-            toml::to_string(&raw).map_err(|e| Error::new(format!("the scene cannot be printed: {e}")).at(&source.path))?;
+        scene.understood = toml::to_string(&raw)
+            .map_err(|e| Error::new(format!("the scene cannot be printed: {e}")).at(&source.path))?;
         scene.source = source.clone();
         Ok(scene)
     }
@@ -145,9 +146,8 @@ fn check_names(document: &Document, raw: &RawScene) -> Result<()> {
         return Err(document.error("body", what).allowed(format!("1 to {MOST_BODIES} tables [[body]]")));
     }
     // A body is addressed by its name, which therefore must not be another table's.
-    const TABLES: [&str; 11] = [
-        "title", "dimension", "body", "impact", "material", "numerics", "run", "output", "record", "threshold", "",
-    ];
+    const TABLES: [&str; 11] =
+        ["title", "dimension", "body", "impact", "material", "numerics", "run", "output", "record", "threshold", ""];
     for (number, body) in raw.body.iter().enumerate() {
         let path = format!("body.{number}.name");
         if TABLES.contains(&body.name.as_str()) || body.name.contains(['.', '=']) {
@@ -182,7 +182,9 @@ fn bodies(
             let target = read(i.target, &mut raw.body[i.target], None)?;
             if target.velocity != [0.0; 3] {
                 let place = format!("body.{}.velocity", i.target);
-                return Err(document.error(&place, "the target of an impact rests at the start").allowed("no velocity"));
+                return Err(document
+                    .error(&place, "the target of an impact rests at the start")
+                    .allowed("no velocity"));
             }
             Some(target.lattice.spacing)
         }
@@ -207,7 +209,9 @@ fn check_overlaps(document: &Document, bodies: &[Body]) -> Result<()> {
         for other in &bodies[..number] {
             if other.shape.overlaps(other.centre, &body.shape, body.centre, body.dimension) {
                 let what = format!("bodies \"{}\" and \"{}\" overlap", other.name, body.name);
-                return Err(document.error(&format!("body.{number}.position"), what).allowed("bodies that do not share volume"));
+                return Err(document
+                    .error(&format!("body.{number}.position"), what)
+                    .allowed("bodies that do not share volume"));
             }
         }
     }

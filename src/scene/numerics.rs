@@ -141,7 +141,8 @@ impl<'de> Deserialize<'de> for RawSmoothingLength {
                 }
             }
             fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> std::result::Result<Self::Value, A::Error> {
-                RawFollows::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(|f| RawSmoothingLength(Some(f)))
+                RawFollows::deserialize(serde::de::value::MapAccessDeserializer::new(map))
+                    .map(|f| RawSmoothingLength(Some(f)))
             }
         }
         deserializer.deserialize_any(ConstantOrTable)
@@ -176,12 +177,17 @@ pub struct ArtificialStress {
 pub enum SmoothingLength {
     Constant,
     /// h = h_0 (rho_0 / rho)^(1/d), within these bounds relative to h_0.
-    FollowsDensity { smallest: f64, largest: f64 },
+    FollowsDensity {
+        smallest: f64,
+        largest: f64,
+    },
 }
 
 impl RawNumerics {
     pub(super) fn validate(&self, document: &Document) -> Result<Numerics> {
-        let within = |key: &str, value: Number, low: f64, high: f64| within(document, &format!("numerics.{key}"), value, low, high);
+        let within = |key: &str, value: Number, low: f64, high: f64| {
+            within(document, &format!("numerics.{key}"), value, low, high)
+        };
         let artificial_stress = match self.artificial_stress.0 {
             None => None,
             Some(raw) => Some(ArtificialStress {

@@ -70,7 +70,11 @@ impl RawRun {
             self.until = Some(RawUntil::Settled);
         }
         let until = match self.until {
-            None => return Err(document.error("run", "the scene has no end: key `until` is missing").allowed("run.until = \"100 s\"")),
+            None => {
+                return Err(document
+                    .error("run", "the scene has no end: key `until` is missing")
+                    .allowed("run.until = \"100 s\""));
+            }
             Some(RawUntil::Settled) if !impact => {
                 let what = "\"settled\" is defined for impacts only, and the scene has no [impact]";
                 return Err(document.error("run.until", what).allowed("a time, e.g. \"100 s\""));
@@ -79,7 +83,8 @@ impl RawRun {
             Some(RawUntil::Time(time)) => Until::Time(positive(document, "run.until", time.0, time)?),
         };
         let max_time = self.max_time.map(|time| positive(document, "run.max_time", time.0, time)).transpose()?;
-        let checkpoint_every = positive(document, "run.checkpoint_every", self.checkpoint_every.0, self.checkpoint_every)?;
+        let checkpoint_every =
+            positive(document, "run.checkpoint_every", self.checkpoint_every.0, self.checkpoint_every)?;
         Ok(Run { until, steps: self.steps, checkpoint_every, max_time })
     }
 }
@@ -97,7 +102,14 @@ pub struct RawOutput {
 
 impl Default for RawOutput {
     fn default() -> Self {
-        Self { snapshots: None, every: None, precision: Precision::F64, compression: 0, history_every: 10, picture: true }
+        Self {
+            snapshots: None,
+            every: None,
+            precision: Precision::F64,
+            compression: 0,
+            history_every: 10,
+            picture: true,
+        }
     }
 }
 
@@ -128,12 +140,16 @@ impl RawOutput {
     pub(super) fn validate(&self, document: &Document, until: Until) -> Result<Output> {
         let snapshot_interval = match (self.snapshots, self.every, until) {
             (Some(_), Some(_), _) => {
-                return Err(document.error("output.snapshots", "both `snapshots` and `every` are given").allowed("one of them"));
+                return Err(document
+                    .error("output.snapshots", "both `snapshots` and `every` are given")
+                    .allowed("one of them"));
             }
             (Some(0), None, _) | (None, None, _) => None,
             (Some(_), None, Until::Settled) => {
                 let what = "a number of snapshots needs a run of known length, and this one ends when it is settled";
-                return Err(document.error("output.snapshots", what).allowed("every = \"1 s\", or run.until = \"100 s\""));
+                return Err(document
+                    .error("output.snapshots", what)
+                    .allowed("every = \"1 s\", or run.until = \"100 s\""));
             }
             (Some(count), None, Until::Time(end)) => Some(end / count as f64),
             (None, Some(every), _) => Some(positive(document, "output.every", every.0, every)?),

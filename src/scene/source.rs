@@ -25,6 +25,19 @@ pub struct Document<'a> {
     set: Vec<(String, &'a str)>,
 }
 
+/// Keys that say the same thing in another way: where one is set over a scene, the later word counts.
+const RIVALS: [(&str, &[&str]); 9] = [
+    ("particles", &["spacing"]),
+    ("spacing", &["particles"]),
+    ("snapshots", &["every"]),
+    ("every", &["snapshots"]),
+    ("seed", &["axis", "angle"]),
+    ("axis", &["seed"]),
+    ("angle", &["seed"]),
+    ("pressure", &["internal_energy"]),
+    ("internal_energy", &["pressure"]),
+];
+
 impl<'a> Document<'a> {
     pub fn parse(source: &'a Source) -> Result<Self> {
         let tree = source.text.parse::<Table>().map_err(|e| {
@@ -82,7 +95,9 @@ impl<'a> Document<'a> {
             let next = match here {
                 None => find(document.get_ref(), key),
                 Some(DeValue::Table(table)) => find(table, key),
-                Some(DeValue::Array(array)) => key.parse().ok().and_then(|n: usize| array.get(n)).map(|v| (v.span().start, v.get_ref())),
+                Some(DeValue::Array(array)) => {
+                    key.parse().ok().and_then(|n: usize| array.get(n)).map(|v| (v.span().start, v.get_ref()))
+                }
                 Some(_) => None,
             };
             let Some((start, value)) = next else { break };
@@ -95,24 +110,38 @@ impl<'a> Document<'a> {
     /// Applies `key=value` and returns the key's path in the tree. `false` removes a table.
     fn set(&mut self, text: &str) -> Result<String> {
         let (key, value) = text.split_once('=').ok_or_else(|| {
-            Error::new("no `=` in an override").at(format!("--set {text}")).allowed("key=value, e.g. target.particles=200000")
+            Error::new("no `=` in an override")
+                .at(format!("--set {text}"))
+                .allowed("key=value, e.g. target.particles=200000")
         })?;
         let (key, value) = (key.trim(), value.trim());
         if key.is_empty() || key.split('.').any(str::is_empty) {
-            return Err(Error::new(format!("`{key}` is not a key")).at(format!("--set {text}")).allowed("keys joined by dots"));
+            return Err(Error::new(format!("`{key}` is not a key"))
+                .at(format!("--set {text}"))
+                .allowed("keys joined by dots"));
         }
-        let value = format!("x = {value}").parse::<Table>().ok().filter(|t| t.len() == 1).and_then(|mut t| t.remove("x"))
+        let value = format!("x = {value}")
+            .parse::<Table>()
+            .ok()
+            .filter(|t| t.len() == 1)
+            .and_then(|mut t| t.remove("x"))
             .unwrap_or_else(|| Value::String(value.to_string()));
         let path = self.resolve(key);
         let steps: Vec<&str> = path.split('.').collect();
         let (last, parents) = steps.split_last().expect("split yields one part or more");
-        let table = descend(&mut self.tree, parents)
-            .ok_or_else(|| Error::new(format!("`{key}` leads through a key that is not a table")).at(format!("--set {text}")))?;
-        // Particle number and spacing say the same thing; the later word counts.
-        let rival = match *last { "particles" => "spacing", "spacing" => "particles", "snapshots" => "every", "every" => "snapshots", _ => "" };
-        table.remove(rival);
-        let removes = value.as_bool() == Some(false) && table.get(*last).is_some_and(|old| old.is_table() || old.is_array());
-        if removes { table.remove(*last) } else { table.insert(last.to_string(), value) };
+        let table = descend(&mut self.tree, parents).ok_or_else(|| {
+            Error::new(format!("`{key}` leads through a key that is not a table")).at(format!("--set {text}"))
+        })?;
+        for rivals in RIVALS.iter().filter(|(key, _)| key == last).map(|(_, rivals)| *rivals) {
+            rivals.iter().for_each(|rival| drop(table.remove(*rival)));
+        }
+        let removes =
+            value.as_bool() == Some(false) && table.get(*last).is_some_and(|old| old.is_table() || old.is_array());
+        if removes {
+            table.remove(*last)
+        } else {
+            table.insert(last.to_string(), value)
+        };
         Ok(path)
     }
 
@@ -165,7 +194,11 @@ mod tests {
         [material.basalt.fracture]\nseed = 1\n[numerics]\nartificial_stress = true\n";
 
     fn source(overrides: &[&str]) -> Source {
-        Source { path: "s.toml".into(), text: TEXT.into(), overrides: overrides.iter().map(|s| s.to_string()).collect() }
+        Source {
+            path: "s.toml".into(),
+            text: TEXT.into(),
+            overrides: overrides.iter().map(|s| s.to_string()).collect(),
+        }
     }
 
     #[test]

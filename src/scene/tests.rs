@@ -38,10 +38,19 @@ fn every_input_reads_back_from_its_own_print() {
     let scenes = inputs();
     assert!(scenes.len() >= 4);
     for scene in scenes {
-        let again = Scene::parse(scene.path(), &scene.to_toml(), &[]).unwrap_or_else(|e| panic!("{e}\n{}", scene.to_toml()));
+        let again =
+            Scene::parse(scene.path(), &scene.to_toml(), &[]).unwrap_or_else(|e| panic!("{e}\n{}", scene.to_toml()));
         let source = scene.source.clone();
         assert_eq!(Scene { source, ..again }, scene, "{}", scene.to_toml());
     }
+}
+
+#[test]
+fn a_printed_scene_can_be_changed() {
+    let scene = parse(IMPACT, &[]).unwrap();
+    let printed = scene.to_toml();
+    let changes = ["target.orientation.seed=2", "target.spacing=1 km", "output.every=1 s", "projectile.radius=2 km"];
+    assert_eq!(parse(&printed, &changes).unwrap().bodies, parse(IMPACT, &changes).unwrap().bodies);
 }
 
 #[test]
@@ -77,7 +86,9 @@ fn the_main_scene_is_what_it_says() {
 #[test]
 fn the_projectile_meets_the_target_at_the_angle_asked_for() {
     for degrees in [0.0f64, 30.0, 75.0] {
-        let scene = parse(IMPACT, &[&format!("impact.angle={degrees} deg"), "target.position=[\"1 km\", 0, \"-3 km\"]"]).unwrap();
+        let scene =
+            parse(IMPACT, &[&format!("impact.angle={degrees} deg"), "target.position=[\"1 km\", 0, \"-3 km\"]"])
+                .unwrap();
         let [target, projectile] = &scene.bodies[..] else { panic!("two bodies") };
         assert_eq!(projectile.velocity, [-5000.0, 0.0, 0.0]);
         let r: [f64; 3] = std::array::from_fn(|k| projectile.centre[k] - target.centre[k]);
@@ -112,16 +123,24 @@ fn a_small_projectile_gets_a_hundred_particles() {
     assert_eq!(larger.bodies[1].lattice.spacing, larger.bodies[0].lattice.spacing);
 }
 
+/// Within one per cent, and where faces are flat, within half a layer along each axis: rows come and go as a whole.
 #[test]
 fn numbers_of_particles_are_met() {
-    for n in [1000u64, 3000, 10_000] {
-        for shape in ["sphere = { radius = 1 }", "half_sphere = { radius = 1 }", "cylinder = { radius = 1, height = 3 }"] {
-            let scene = parse(BALL, &[&format!("ball.shape={{ {shape} }}"), &format!("ball.particles={n}")]).unwrap();
-            let found = particles(&scene.bodies[0]);
-            assert!(100 * found.abs_diff(n) <= n, "{shape}: {found} of {n}");
-        }
-        let flat = parse(BALL, &["dimension=2", &format!("ball.particles={n}"), "ball.orientation.seed=4"]).unwrap();
-        assert!(100 * particles(&flat.bodies[0]).abs_diff(n) <= n);
+    let check = |change: &str, n: u64, overrides: &[&str]| {
+        let scene = parse(BALL, &[overrides, &[change, &format!("ball.particles={n}")]].concat()).unwrap();
+        let body = &scene.bodies[0];
+        let edges = body.shape.bounds(body.dimension).half.map(|half| 2.0 * half);
+        let half_layers: f64 = edges[..body.dimension].iter().map(|edge| 0.5 * body.lattice.spacing / edge).sum();
+        let allowed = 0.01 + if change.contains(" sphere") { 0.0 } else { half_layers };
+        let off = particles(body).abs_diff(n) as f64 / n as f64;
+        assert!(off <= allowed, "{change}: {} of {n}", particles(body));
+    };
+    for n in [1000, 3000, 10_000] {
+        check("ball.shape={ sphere = { radius = 1 } }", n, &[]);
+        check("ball.shape={ sphere = { radius = 1 } }", n, &["dimension=2", "ball.orientation.seed=4"]);
+        check("ball.shape={ half_sphere = { radius = 1 } }", n, &[]);
+        check("ball.shape={ cylinder = { radius = 1, height = 3 } }", n, &[]);
+        check("ball.shape={ box = { size = [1, 2, 3] } }", n, &["ball.lattice=cubic"]);
     }
 }
 
@@ -139,7 +158,9 @@ fn sites_are_the_same_in_parts_as_in_whole() {
 
 #[test]
 fn bodies_turn_about_their_centre() {
-    let scene = parse(BALL, &["ball.spin=[0, 0, \"2 rad/s\"]", "ball.position=[5, 0, 0]", "ball.velocity=[0, 0, \"3 m/s\"]"]).unwrap();
+    let scene =
+        parse(BALL, &["ball.spin=[0, 0, \"2 rad/s\"]", "ball.position=[5, 0, 0]", "ball.velocity=[0, 0, \"3 m/s\"]"])
+            .unwrap();
     assert_eq!(scene.bodies[0].velocity_at([6.0, 0.0, 0.0]), [0.0, 2.0, 3.0]);
     let flat = parse(BALL, &["dimension=2", "ball.spin=2 rad/s"]).unwrap();
     assert_eq!(flat.bodies[0].velocity_at([0.0, 1.0, 0.0]), [-2.0, 0.0, 0.0]);
@@ -147,7 +168,8 @@ fn bodies_turn_about_their_centre() {
 
 #[test]
 fn a_gas_starts_from_its_pressure() {
-    let scene = parse(include_str!("../../inputs/blast_gas.toml"), &["material.ideal_gas.eos.ideal_gas.gamma=1.4"]).unwrap();
+    let scene =
+        parse(include_str!("../../inputs/blast_gas.toml"), &["material.ideal_gas.eos.ideal_gas.gamma=1.4"]).unwrap();
     assert!(matches!(scene.materials[0].eos, EosTable::IdealGas(gas) if gas.gamma.0 == 1.4));
     assert!((scene.bodies[0].internal_energy / 2.5e5 - 1.0).abs() < 1e-15);
     assert!((scene.output.snapshot_interval.unwrap() / 4e-4 - 1.0).abs() < 1e-15);
@@ -161,7 +183,10 @@ fn unknown_keys_name_the_nearest_known_one() {
     let text = complaint("radius", "raduis");
     assert!(text.starts_with("s.toml:3: ") && text.contains("did you mean `radius`?"), "{text}");
     let text = complaint("sphere", "shpere");
-    assert!(text.starts_with("s.toml:3: ") && text.contains("unknown choice `shpere`, did you mean `sphere`?"), "{text}");
+    assert!(
+        text.starts_with("s.toml:3: ") && text.contains("unknown choice `shpere`, did you mean `sphere`?"),
+        "{text}"
+    );
     let text = complaint("[run]", "[ran]");
     assert!(text.starts_with("s.toml:6: ran: unknown key `ran`, did you mean `run`?"), "{text}");
     let text = parse(BALL, &["bal.spacing=1"]).unwrap_err().to_string();
@@ -213,7 +238,6 @@ fn wrong_values_are_refused_in_one_clear_line() {
         ("impact.speed=-5 km/s", "--set impact.speed=-5 km/s: speed is -5000 m/s"),
         ("impact.angle=90 deg", "below 90 deg"),
         ("impact.target=targt", "unknown body `targt`, did you mean `target`?"),
-        ("impact.target=projectile", "the target of an impact"),
         ("target.velocity=[1, 0, 0]", "rests at the start"),
         ("projectile.velocity=[1, 0, 0]", "follows from [impact]"),
         ("projectile.shape={ box = { size = [1, 1, 1] } }", "onto a sphere only a sphere can fall"),
@@ -222,7 +246,7 @@ fn wrong_values_are_refused_in_one_clear_line() {
         ("material.basalt.strength.shear_modulus=-1", "--set material.basalt.strength.shear_modulus=-1"),
         ("material.basalt.strength.shear_modulus=3 GPb", "unknown unit `GPb`"),
     ];
-    for (change, expected) in cases.into_iter().filter(|(c, _)| *c != "impact.target=projectile") {
+    for (change, expected) in cases {
         let text = parse(IMPACT, &[change]).expect_err(change).to_string();
         assert!(text.contains(expected) && !text.contains('\n'), "{change}: {text}");
     }
@@ -241,7 +265,11 @@ fn overlapping_bodies_are_refused() {
 
 #[test]
 fn overrides_switch_effects() {
-    let scene = parse(IMPACT, &["material.basalt.fracture=false", "numerics.viscosity=false", "numerics.artificial_stress=true"]).unwrap();
+    let scene = parse(
+        IMPACT,
+        &["material.basalt.fracture=false", "numerics.viscosity=false", "numerics.artificial_stress=true"],
+    )
+    .unwrap();
     assert!(!scene.materials[0].has_fracture() && scene.materials[0].viscosity.is_none() && !scene.numerics.viscosity);
     assert_eq!(scene.numerics.artificial_stress, Some(ArtificialStress { factor: 0.2, power: 4.0 }));
 }
@@ -250,10 +278,11 @@ fn overrides_switch_effects() {
 fn two_dimensional_scenes_have_mass_per_depth() {
     let scene = parse(include_str!("../../inputs/rotating_rod_2d.toml"), &[]).unwrap();
     let rod = &scene.bodies[0];
-    assert_eq!(particles(rod), 100 * 20);
+    assert_eq!(particles(rod), 50 * 10);
     assert!((rod.mass() - 2700.0 * 0.2).abs() < 1e-10);
     assert!(rod.sites(0..rod.lattice_sites()).all(|(_, p)| p[2] == 0.0));
-    let text = parse(BALL, &["dimension=2", "ball.shape={ cylinder = { radius = 1, height = 1 } }"]).unwrap_err().to_string();
+    let text =
+        parse(BALL, &["dimension=2", "ball.shape={ cylinder = { radius = 1, height = 1 } }"]).unwrap_err().to_string();
     assert!(text.contains("a cylinder needs three dimensions"), "{text}");
 }
 
