@@ -10,7 +10,8 @@ use sph_mpi::domain::comm::Comm;
 use sph_mpi::material::{BodyConstants, Core, declare_core};
 use sph_mpi::math::{Deviator, Vec3};
 use sph_mpi::output::collective::CollectiveFile;
-use sph_mpi::output::figures::{cut, raster::Plane};
+use sph_mpi::output::figures::cut;
+use sph_mpi::output::figures::raster::{Dot, Plane, Window, rasterise, window};
 use sph_mpi::output::snapshot::extend_series;
 use sph_mpi::output::{CheckpointMeta, History, Snapshot, Storage, checkpoint, state_hash};
 use sph_mpi::particles::{Column, ColumnInfo, Columns, Life, ParticleId, Registry};
@@ -301,4 +302,37 @@ fn the_picture_does_not_depend_on_ranks() {
     [1, 2, 3].into_iter().for_each(|ranks| launch(name, ranks, directory.path(), ""));
     let of = |ranks: usize| std::fs::read(directory.path().join(format!("cut_{ranks}.png"))).unwrap();
     assert!(of(1) == of(2) && of(1) == of(3));
+}
+
+#[test]
+fn every_pixel_of_a_cut_shows_the_nearest_particle() {
+    let name = "every_pixel_of_a_cut_shows_the_nearest_particle";
+    let inside = on_ranks(|comm, _, _| {
+        let dot = |k: u64| {
+            let draw = |n: u64| sph_mpi::random::uniform(4, k, n);
+            // Dots come in coincident pairs, shared by two ranks: the lower id must win.
+            let at = |n: u64| sph_mpi::random::uniform(5, k / 2, n) - 0.5;
+            let position = Vec3::new(at(0), at(1), 0.2 * at(2));
+            Dot { id: k << 30, position, reach: 0.08, values: [draw(0), draw(1)] }
+        };
+        let all: Vec<Dot> = (0..600).map(dot).chain([Dot { position: Vec3::new(1e4, 0.0, 0.0), ..dot(600) }]).collect();
+        let mine: Vec<Dot> = all.iter().copied().skip(comm.rank()).step_by(comm.size()).collect();
+        let plane = Plane { origin: Vec3::zeros(), across: Vec3::x(), up: Vec3::y() };
+        let found = window(&plane, &mine, 40, comm);
+        assert!(found.half < 0.8, "one far fragment must not shrink the rest: {found:?}");
+        let window = Window { centre: [0.0; 2], half: 0.6, side: 40 };
+        let raster = rasterise(&plane, window, &mine, comm);
+        for pixel in 0..40 * 40 {
+            let point = Vec3::new((pixel % 40) as f64 * 0.03 - 0.585, (pixel / 40) as f64 * 0.03 - 0.585, 0.0);
+            let near = all.iter().map(|d| ((d.position - point).norm(), d)).filter(|(r, d)| *r < d.reach);
+            let best = near.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.id.cmp(&b.1.id)));
+            let expected = best.map(|(_, d)| d.values);
+            let shown = [raster.panels[0][pixel], raster.panels[1][pixel]];
+            assert!(expected.map_or(shown[0].is_nan(), |values| values == shown), "{point}: {shown:?}, {expected:?}");
+        }
+    });
+    if !inside {
+        let directory = tempfile::tempdir().unwrap();
+        [1, 3].into_iter().for_each(|ranks| launch(name, ranks, directory.path(), ""));
+    }
 }

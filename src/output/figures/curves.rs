@@ -90,12 +90,14 @@ impl Figure {
             };
             if !series.label.is_empty() {
                 let (strokes, dot) = legend_mark(series.mark);
+                // Every entry has the same shape; a dot that is not wanted hides inside the stroke.
+                let (at_dot, radius) = dot.map_or(((9, 0), 0), |at| (at, 5));
                 drawn.label(&series.label).legend(move |at| {
                     let stroke = |n: usize| strokes.get(n).map_or(vec![], |ends| ends.to_vec());
                     EmptyElement::at(at)
                         + PathElement::new(stroke(0), hue(k).stroke_width(2))
                         + PathElement::new(stroke(1), hue(k).stroke_width(2))
-                        + Circle::new(dot.unwrap_or_default(), if dot.is_some() { 5 } else { 0 }, hue(k).filled())
+                        + Circle::new(at_dot, radius, hue(k).filled())
                 });
             }
         }

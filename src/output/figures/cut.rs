@@ -62,7 +62,7 @@ pub fn draw(
     let quantities = choose(columns)?;
     let dots = dots(columns, bodies, &quantities)?;
     let raster = rasterise(plane, window(plane, &dots, SIDE, comm), &dots, comm);
-    let mine = if comm.is_root() { picture(path, title, &raster, &quantities) } else { Ok(()) };
+    let mine = if comm.is_root() { picture(path, title, (plane, &raster), &quantities) } else { Ok(()) };
     agree(comm, mine)
 }
 
@@ -101,22 +101,22 @@ fn dots(columns: &Columns, bodies: &[BodyConstants], quantities: &[Quantity; 2])
     Ok((0..columns.len()).map(dot).collect())
 }
 
-fn picture(path: &Path, title: &str, raster: &Raster, quantities: &[Quantity; 2]) -> Result<()> {
+fn picture(path: &Path, title: &str, drawn: (&Plane, &Raster), quantities: &[Quantity; 2]) -> Result<()> {
     paint(path, SIZE, |root| {
         let text = ("sans-serif", 26).into_font().color(&BLACK).pos(Pos::new(HPos::Center, VPos::Top));
         root.draw(&Text::new(title.to_string(), (SIZE.0 as i32 / 2, 14), text)).map_err(|e| e.to_string())?;
         let panels = root.split_evenly((1, 2));
-        for ((panel, quantity), values) in panels.iter().zip(quantities).zip(&raster.panels) {
-            draw_panel(panel, quantity, values, raster).map_err(|e| e.to_string())?;
+        for ((panel, quantity), values) in panels.iter().zip(quantities).zip(&drawn.1.panels) {
+            draw_panel(panel, quantity, values, drawn).map_err(|e| e.to_string())?;
         }
         Ok(())
     })
 }
 
-type Area<'a, 'b> = DrawingArea<BitMapBackend<'a>, Shift>;
+type Area<'a> = DrawingArea<BitMapBackend<'a>, Shift>;
 type Drawn<'a> = std::result::Result<(), DrawingAreaErrorKind<<BitMapBackend<'a> as DrawingBackend>::ErrorType>>;
 
-fn draw_panel<'a>(area: &Area<'a, '_>, quantity: &Quantity, values: &[f64], raster: &Raster) -> Drawn<'a> {
+fn draw_panel<'a>(area: &Area<'a>, quantity: &Quantity, values: &[f64], drawn: (&Plane, &Raster)) -> Drawn<'a> {
     let scale = colour_scale(quantity, values);
     let side = SIDE as i32;
     for (pixel, value) in values.iter().enumerate().filter(|(_, value)| !value.is_nan()) {
@@ -125,7 +125,7 @@ fn draw_panel<'a>(area: &Area<'a, '_>, quantity: &Quantity, values: &[f64], rast
     }
     let heading = style(22).pos(Pos::new(HPos::Center, VPos::Bottom));
     area.draw(&Text::new(quantity.title, (LEFT + side / 2, TOP - 10), heading))?;
-    draw_axes(area, raster)?;
+    draw_axes(area, drawn)?;
     draw_bar(area, quantity, &scale)
 }
 
@@ -155,7 +155,13 @@ fn length_unit(half: f64) -> (f64, &'static str) {
     units.into_iter().find(|(size, _)| half >= 2.0 * size).unwrap_or((1e-6, "µm"))
 }
 
-fn draw_axes<'a>(area: &Area<'a, '_>, raster: &Raster) -> Drawn<'a> {
+/// The coordinate that a direction is, or `otherwise`.
+fn axis_name(direction: &Vec3, otherwise: &'static str) -> &'static str {
+    let axes = [(Vec3::x(), "x"), (Vec3::y(), "y"), (Vec3::z(), "z")];
+    axes.into_iter().find(|(axis, _)| axis == direction).map_or(otherwise, |(_, name)| name)
+}
+
+fn draw_axes<'a>(area: &Area<'a>, (plane, raster): (&Plane, &Raster)) -> Drawn<'a> {
     let (window, side) = (&raster.window, SIDE as i32);
     let (unit, unit_name) = length_unit(window.half);
     area.draw(&Rectangle::new([(LEFT - 1, TOP - 1), (LEFT + side, TOP + side)], BLACK))?;
@@ -178,16 +184,20 @@ fn draw_axes<'a>(area: &Area<'a, '_>, raster: &Raster) -> Drawn<'a> {
     }
     let middle = (LEFT + side / 2, TOP + side + 40);
     area.draw(&Text::new(
-        format!("along the impact plane [{unit_name}]"),
+        format!("{} [{unit_name}]", axis_name(&plane.across, "along the cut")),
         middle,
         style(18).pos(Pos::new(HPos::Center, VPos::Top)),
     ))?;
     let turned = ("sans-serif", 18).into_font().transform(FontTransform::Rotate270).color(&BLACK);
     let left = (16, TOP + side / 2);
-    area.draw(&Text::new(format!("across [{unit_name}]"), left, turned.pos(Pos::new(HPos::Center, VPos::Top))))
+    area.draw(&Text::new(
+        format!("{} [{unit_name}]", axis_name(&plane.up, "up the cut")),
+        left,
+        turned.pos(Pos::new(HPos::Center, VPos::Top)),
+    ))
 }
 
-fn draw_bar<'a>(area: &Area<'a, '_>, quantity: &Quantity, scale: &Scale) -> Drawn<'a> {
+fn draw_bar<'a>(area: &Area<'a>, quantity: &Quantity, scale: &Scale) -> Drawn<'a> {
     let (left, right, side) = (LEFT + SIDE as i32 + 24, LEFT + SIDE as i32 + 48, SIDE as i32);
     for y in 0..side {
         let shade = colour((side - 1 - y) as f64 / (side - 1) as f64);

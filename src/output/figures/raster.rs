@@ -4,7 +4,8 @@
 use crate::domain::comm::Comm;
 use crate::math::Vec3;
 
-/// Where the cut lies; `across` and `up` are orthogonal unit vectors, coordinates count from `origin`, m.
+/// A plane through `origin`, spanned by the orthogonal unit vectors `across` and `up`; a point's coordinates in it are its
+/// components along these, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plane {
     pub origin: Vec3,
@@ -15,8 +16,8 @@ pub struct Plane {
 impl Plane {
     /// Coordinates in the plane and the distance from it.
     fn project(&self, x: &Vec3) -> ([f64; 2], f64) {
-        let d = x - self.origin;
-        ([d.dot(&self.across), d.dot(&self.up)], d.dot(&self.across.cross(&self.up)))
+        let depth = (x - self.origin).dot(&self.across.cross(&self.up));
+        ([x.dot(&self.across), x.dot(&self.up)], depth)
     }
 }
 

@@ -57,7 +57,8 @@ impl Scale {
     fn linear_ticks(&self, wanted: usize) -> Vec<f64> {
         let rough = (self.high - self.low) / wanted.max(1) as f64;
         let power = libm::exp10(libm::log10(rough).floor());
-        let step = [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|s| *s >= rough).unwrap_or(10.0 * power);
+        let step =
+            [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|s| *s >= 0.7 * rough).unwrap_or(10.0 * power);
         let (first, last) = ((self.low / step).ceil() as i64, (self.high / step + 1e-9).floor() as i64);
         (first..=last).map(|k| k as f64 * step).collect()
     }
@@ -66,7 +67,7 @@ impl Scale {
 /// A tick's number in few characters.
 pub fn number(x: f64) -> String {
     let size = x.abs();
-    if size != 0.0 && !(1e-3..1e5).contains(&size) {
+    if size != 0.0 && !(1e-3..1e4).contains(&size) {
         let text = format!("{x:.2e}");
         let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
         let digits = digits.trim_end_matches('0').trim_end_matches('.');
@@ -115,7 +116,10 @@ mod tests {
     #[test]
     fn ticks_are_round_and_inside() {
         let linear = Scale { low: -0.03, high: 1.04, logarithmic: false };
-        assert_eq!(linear.ticks(5).iter().map(|x| number(*x)).collect::<Vec<_>>(), ["0", "0.5", "1"]);
+        assert_eq!(
+            linear.ticks(5).iter().map(|x| number(*x)).collect::<Vec<_>>(),
+            ["0", "0.2", "0.4", "0.6", "0.8", "1"]
+        );
         let log = Scale { low: 3e4, high: 2e9, logarithmic: true };
         let labels: Vec<String> = log.ticks(8).iter().map(|x| number(*x)).collect();
         assert_eq!(labels, ["10⁵", "10⁶", "10⁷", "10⁸", "10⁹"]);
