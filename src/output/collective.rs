@@ -99,26 +99,10 @@ impl<'a> CollectiveFile<'a> {
         }
     }
 
-    pub fn read_real(&self, object: &str, name: &str) -> Result<f64> {
-        self.read_attribute(object, name, |attribute| attribute.read_scalar())
-    }
-
-    pub fn read_integer(&self, object: &str, name: &str) -> Result<i64> {
-        self.read_attribute(object, name, |attribute| attribute.read_scalar())
-    }
-
+    /// Reads a text attribute.
     pub fn read_text(&self, object: &str, name: &str) -> Result<String> {
-        self.read_attribute(object, name, |attribute| Ok(attribute.read_scalar::<VarLenUnicode>()?.to_string()))
-    }
-
-    fn read_attribute<T>(
-        &self,
-        object: &str,
-        name: &str,
-        read: impl FnOnce(&hdf5::Attribute) -> hdf5::Result<T>,
-    ) -> Result<T> {
-        let value = self.within(object, |at| at.attr(name)).and_then(|attribute| read(&attribute));
-        self.agree("read the attribute", &format!("{object}@{name}"), value)
+        let text = self.within(object, |at| at.attr(name)?.read_scalar::<VarLenUnicode>());
+        Ok(self.agree("read the attribute", &format!("{object}@{name}"), text)?.to_string())
     }
 
     /// Names of what a group holds.

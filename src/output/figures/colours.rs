@@ -1,0 +1,59 @@
+//! Colours: a map from numbers that is even to the eye and survives grey printing, and hues that tell curves apart.
+
+use plotters::style::RGBColor;
+
+/// Control points at equal distances, dark blue to yellow, of rising lightness (in the manner of Smith and van der Walt's
+/// viridis, 2015).
+const MAP: [[f64; 3]; 9] = [
+    [68.0, 1.0, 84.0],
+    [71.0, 44.0, 122.0],
+    [59.0, 81.0, 139.0],
+    [44.0, 113.0, 142.0],
+    [33.0, 144.0, 141.0],
+    [39.0, 173.0, 129.0],
+    [92.0, 200.0, 99.0],
+    [170.0, 220.0, 50.0],
+    [253.0, 231.0, 37.0],
+];
+
+/// Told apart by colour-blind readers too (Okabe and Ito 2008).
+const HUES: [RGBColor; 7] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(86, 180, 233),
+    RGBColor(230, 159, 0),
+    RGBColor(60, 60, 60),
+];
+
+/// The colour of a fraction from 0 to 1; beyond, that of the nearer end.
+pub fn colour(fraction: f64) -> RGBColor {
+    let at = fraction.clamp(0.0, 1.0) * (MAP.len() - 1) as f64;
+    let k = (at as usize).min(MAP.len() - 2);
+    let mix = |c: usize| (MAP[k][c] + (at - k as f64) * (MAP[k + 1][c] - MAP[k][c])).round() as u8;
+    RGBColor(mix(0), mix(1), mix(2))
+}
+
+/// The colour of curve number `k`.
+pub fn hue(k: usize) -> RGBColor {
+    HUES[k % HUES.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lightness_rises_all_the_way() {
+        let luminance = |c: RGBColor| 0.2126 * c.0 as f64 + 0.7152 * c.1 as f64 + 0.0722 * c.2 as f64;
+        let values: Vec<f64> = (0..=32).map(|k| luminance(colour(k as f64 / 32.0))).collect();
+        assert!(values.windows(2).all(|w| w[1] > w[0]), "{values:?}");
+    }
+
+    #[test]
+    fn ends_are_held() {
+        assert_eq!(colour(-1.0), colour(0.0));
+        assert_eq!(colour(f64::INFINITY), colour(1.0));
+    }
+}

@@ -1,0 +1,215 @@
+//! The outcome at a glance: a cut through the bodies, damage (else density) beside peak pressure (else speed).
+
+use std::path::Path;
+
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use super::colours::colour;
+use super::paint;
+use super::raster::{Dot, Plane, Raster, rasterise, window};
+use super::scale::{Scale, number};
+use crate::domain::comm::Comm;
+use crate::error::{Error, Result};
+use crate::material::BodyConstants;
+use crate::math::Vec3;
+use crate::output::agree;
+use crate::particles::{Column, Columns, ParticleId};
+
+/// Pixels of a panel's side.
+const SIDE: usize = 640;
+const LEFT: i32 = 92;
+const TOP: i32 = 92;
+const PANEL_WIDTH: i32 = 890;
+const SIZE: (u32, u32) = (2 * PANEL_WIDTH as u32, 820);
+/// Largest over smallest value beyond which a quantity that spans orders of magnitude gets a logarithmic colour bar.
+const SPAN: f64 = 100.0;
+
+/// What a panel shows.
+struct Quantity {
+    title: &'static str,
+    unit: &'static str,
+    /// Known limits of the values, where there are some.
+    limits: Option<(f64, f64)>,
+    /// May span orders of magnitude.
+    wide: bool,
+    value: Source,
+}
+
+enum Source {
+    Column(Column<f64>),
+    Speed(Column<Vec3>),
+}
+
+impl Source {
+    fn of(&self, columns: &Columns, i: usize) -> f64 {
+        match self {
+            Source::Column(column) => columns.get(*column, i),
+            Source::Speed(velocity) => columns.get(*velocity, i).norm(),
+        }
+    }
+}
+
+/// Draws the cut along `plane` to a PNG file. Collective; the picture is the same for any number of ranks.
+pub fn draw(
+    path: &Path,
+    title: &str,
+    plane: &Plane,
+    (columns, bodies): (&Columns, &[BodyConstants]),
+    comm: &Comm,
+) -> Result<()> {
+    let quantities = choose(columns)?;
+    let dots = dots(columns, bodies, &quantities)?;
+    let raster = rasterise(plane, window(plane, &dots, SIDE, comm), &dots, comm);
+    let mine = if comm.is_root() { picture(path, title, (plane, &raster), &quantities) } else { Ok(()) };
+    agree(comm, mine)
+}
+
+fn needed<T: crate::particles::Element>(columns: &Columns, name: &str) -> Result<Column<T>> {
+    columns.registry.find(name).ok_or_else(|| Error::new(format!("the picture of a cut needs the column {name}")))
+}
+
+fn choose(columns: &Columns) -> Result<[Quantity; 2]> {
+    let scalar = |name| columns.registry.find::<f64>(name).map(Source::Column);
+    let left = match scalar("damage") {
+        Some(value) => Quantity { title: "Damage", unit: "", limits: Some((0.0, 1.0)), wide: false, value },
+        None => {
+            let value = Source::Column(needed(columns, "density")?);
+            Quantity { title: "Density", unit: "kg/m³", limits: None, wide: false, value }
+        }
+    };
+    let right = match scalar("peak_pressure") {
+        Some(value) => Quantity { title: "Peak pressure", unit: "Pa", limits: None, wide: true, value },
+        None => {
+            let value = Source::Speed(needed(columns, "velocity")?);
+            Quantity { title: "Speed", unit: "m/s", limits: None, wide: true, value }
+        }
+    };
+    Ok([left, right])
+}
+
+fn dots(columns: &Columns, bodies: &[BodyConstants], quantities: &[Quantity; 2]) -> Result<Vec<Dot>> {
+    let (id, position) = (needed::<ParticleId>(columns, "id")?, needed::<Vec3>(columns, "position")?);
+    let dot = |i: usize| {
+        let id = columns.get(id, i);
+        // Three quarters of the spacing h / 1.2: beyond the farthest hole of a lattice, so that whole rock has no gaps.
+        let reach = 0.75 * bodies[id.body()].smoothing_length / 1.2;
+        let values = [0, 1].map(|panel| quantities[panel].value.of(columns, i));
+        Dot { id: id.0, position: columns.get(position, i), reach, values }
+    };
+    Ok((0..columns.len()).map(dot).collect())
+}
+
+fn picture(path: &Path, title: &str, drawn: (&Plane, &Raster), quantities: &[Quantity; 2]) -> Result<()> {
+    paint(path, SIZE, |root| {
+        let text = ("sans-serif", 26).into_font().color(&BLACK).pos(Pos::new(HPos::Center, VPos::Top));
+        root.draw(&Text::new(title.to_string(), (SIZE.0 as i32 / 2, 14), text)).map_err(|e| e.to_string())?;
+        let panels = root.split_evenly((1, 2));
+        for ((panel, quantity), values) in panels.iter().zip(quantities).zip(&drawn.1.panels) {
+            draw_panel(panel, quantity, values, drawn).map_err(|e| e.to_string())?;
+        }
+        Ok(())
+    })
+}
+
+type Area<'a> = DrawingArea<BitMapBackend<'a>, Shift>;
+type Drawn<'a> = std::result::Result<(), DrawingAreaErrorKind<<BitMapBackend<'a> as DrawingBackend>::ErrorType>>;
+
+fn draw_panel<'a>(area: &Area<'a>, quantity: &Quantity, values: &[f64], drawn: (&Plane, &Raster)) -> Drawn<'a> {
+    let scale = colour_scale(quantity, values);
+    let side = SIDE as i32;
+    for (pixel, value) in values.iter().enumerate().filter(|(_, value)| !value.is_nan()) {
+        let (row, column) = ((pixel / SIDE) as i32, (pixel % SIDE) as i32);
+        area.draw_pixel((LEFT + column, TOP + side - 1 - row), &colour(scale.fraction(*value)))?;
+    }
+    let heading = style(22).pos(Pos::new(HPos::Center, VPos::Bottom));
+    area.draw(&Text::new(quantity.title, (LEFT + side / 2, TOP - 10), heading))?;
+    draw_axes(area, drawn)?;
+    draw_bar(area, quantity, &scale)
+}
+
+fn style(size: i32) -> TextStyle<'static> {
+    ("sans-serif", size).into_font().color(&BLACK)
+}
+
+/// The colours' range: known limits, or what the picture holds without the outermost half per cent.
+fn colour_scale(quantity: &Quantity, values: &[f64]) -> Scale {
+    let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+    sorted.sort_by(f64::total_cmp);
+    let at = |share: f64| sorted.get((share * (sorted.len().max(1) - 1) as f64) as usize).copied().unwrap_or(0.0);
+    let (low, high) = quantity.limits.unwrap_or((at(0.005), at(0.995)));
+    if quantity.wide && high > 0.0 && high > SPAN * low.max(0.0) {
+        let positive = sorted.iter().position(|v| *v > 0.0).unwrap_or(0);
+        let low = sorted[positive + (sorted.len() - positive) / 50];
+        // At most four decades: below lies noise.
+        return Scale { low: low.clamp(1e-4 * high, 0.5 * high), high, logarithmic: true };
+    }
+    let room = if high > low { 0.0 } else { (1e-3 * high.abs()).max(1e-3) };
+    Scale { low: low - room, high: high + room, logarithmic: false }
+}
+
+/// A unit of length in which the window is a handy number.
+fn length_unit(half: f64) -> (f64, &'static str) {
+    let units = [(1e3, "km"), (1.0, "m"), (1e-2, "cm"), (1e-3, "mm")];
+    units.into_iter().find(|(size, _)| half >= 2.0 * size).unwrap_or((1e-6, "µm"))
+}
+
+/// The coordinate that a direction is, or `otherwise`.
+fn axis_name(direction: &Vec3, otherwise: &'static str) -> &'static str {
+    let axes = [(Vec3::x(), "x"), (Vec3::y(), "y"), (Vec3::z(), "z")];
+    axes.into_iter().find(|(axis, _)| axis == direction).map_or(otherwise, |(_, name)| name)
+}
+
+fn draw_axes<'a>(area: &Area<'a>, (plane, raster): (&Plane, &Raster)) -> Drawn<'a> {
+    let (window, side) = (&raster.window, SIDE as i32);
+    let (unit, unit_name) = length_unit(window.half);
+    area.draw(&Rectangle::new([(LEFT - 1, TOP - 1), (LEFT + side, TOP + side)], BLACK))?;
+    let below = style(16).pos(Pos::new(HPos::Center, VPos::Top));
+    let beside = style(16).pos(Pos::new(HPos::Right, VPos::Center));
+    let scale = |axis: usize| {
+        let [low, high] = [-1.0, 1.0].map(|end| (window.centre[axis] + end * window.half) / unit);
+        Scale { low, high, logarithmic: false }
+    };
+    let pixel = |fraction: f64| (fraction * side as f64).round() as i32;
+    for tick in scale(0).ticks(7) {
+        let x = LEFT + pixel(scale(0).fraction(tick));
+        area.draw(&PathElement::new([(x, TOP + side), (x, TOP + side + 6)], BLACK))?;
+        area.draw(&Text::new(number(tick), (x, TOP + side + 11), below.clone()))?;
+    }
+    for tick in scale(1).ticks(7) {
+        let y = TOP + side - pixel(scale(1).fraction(tick));
+        area.draw(&PathElement::new([(LEFT - 6, y), (LEFT - 1, y)], BLACK))?;
+        area.draw(&Text::new(number(tick), (LEFT - 11, y), beside.clone()))?;
+    }
+    let middle = (LEFT + side / 2, TOP + side + 40);
+    area.draw(&Text::new(
+        format!("{} [{unit_name}]", axis_name(&plane.across, "along the cut")),
+        middle,
+        style(18).pos(Pos::new(HPos::Center, VPos::Top)),
+    ))?;
+    let turned = ("sans-serif", 18).into_font().transform(FontTransform::Rotate270).color(&BLACK);
+    let left = (16, TOP + side / 2);
+    area.draw(&Text::new(
+        format!("{} [{unit_name}]", axis_name(&plane.up, "up the cut")),
+        left,
+        turned.pos(Pos::new(HPos::Center, VPos::Top)),
+    ))
+}
+
+fn draw_bar<'a>(area: &Area<'a>, quantity: &Quantity, scale: &Scale) -> Drawn<'a> {
+    let (left, right, side) = (LEFT + SIDE as i32 + 24, LEFT + SIDE as i32 + 48, SIDE as i32);
+    for y in 0..side {
+        let shade = colour((side - 1 - y) as f64 / (side - 1) as f64);
+        area.draw(&PathElement::new([(left, TOP + y), (right, TOP + y)], shade))?;
+    }
+    area.draw(&Rectangle::new([(left - 1, TOP - 1), (right + 1, TOP + side)], BLACK))?;
+    let beside = style(16).pos(Pos::new(HPos::Left, VPos::Center));
+    for tick in scale.ticks(7) {
+        let y = TOP + side - 1 - (scale.fraction(tick) * (side - 1) as f64).round() as i32;
+        area.draw(&PathElement::new([(right + 1, y), (right + 6, y)], BLACK))?;
+        area.draw(&Text::new(number(tick), (right + 10, y), beside.clone()))?;
+    }
+    let above = style(16).pos(Pos::new(HPos::Left, VPos::Bottom));
+    area.draw(&Text::new(quantity.unit, (left, TOP - 10), above))
+}
