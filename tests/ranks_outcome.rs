@@ -64,7 +64,7 @@ fn digest_of(test: &str, ranks: usize) -> String {
     };
     let text = reader.join().expect("the reader ends").expect("output is text");
     assert!(status.success(), "{test} failed on {ranks} ranks:\n{text}");
-    let line = text.lines().find_map(|line| line.split("digest ").nth(1));
+    let line = text.split("digest ").nth(1).and_then(|after| after.get(..64));
     line.unwrap_or_else(|| panic!("{test} on {ranks} ranks printed no digest:\n{text}")).to_string()
 }
 
@@ -112,8 +112,9 @@ fn direct<F: Field>(all: &[Source], target: &Target) -> F {
     field
 }
 
-/// Relative error of the potential below 1e-3 everywhere at an opening angle of 0.5, below 1e-4 at 0.2; that of the
-/// acceleration below 1e-2 of the mean magnitude.
+/// Errors of the potential below 1e-3 everywhere at an opening angle of 0.5, below 1e-4 at 0.2. The acceleration may err
+/// four times as much, as the first term left out falls as r^-4 and its gradient is 4 / r times it; it is compared with
+/// the sum of magnitudes of all pulls, since an expansion errs in proportion to its own size while pulls cancel.
 #[test]
 fn tree_agrees_with_direct_sum() {
     on_ranks("tree_agrees_with_direct_sum", |comm| {
@@ -124,15 +125,24 @@ fn tree_agrees_with_direct_sum() {
         for (angle, allowed) in [(0.5, 1e-3), (0.2, 1e-4)] {
             let tree = Tree::build(comm, &mine, &targets, Opening::new(angle));
             let potentials = tree.fields::<Potential>(&targets);
+            let mut worst = (0.0f64, 0.0f64);
             let accelerations = tree.fields::<Acceleration>(&targets);
             for ((target, found), pull) in targets.iter().zip(&potentials).zip(&accelerations) {
                 let exact = direct::<Potential>(&all, target).0;
                 assert!((found.0 / exact - 1.0).abs() < allowed, "angle {angle}: {} {exact}", found.0);
-                let exact_pull = direct::<Acceleration>(&all, target).0;
-                assert!((pull.0 - exact_pull).norm() < 1e-2 * G * 4500.0, "angle {angle}");
+                let (mut exact_pull, mut magnitudes) = (Vec3::zeros(), 0.0);
+                for source in &all {
+                    let one = direct::<Acceleration>(std::slice::from_ref(source), target).0;
+                    exact_pull += one;
+                    magnitudes += one.norm();
+                }
+                let error = (pull.0 - exact_pull).norm() / magnitudes;
+                worst = (worst.0.max((found.0 / exact - 1.0).abs()), worst.1.max(error));
+                assert!(error < 4.0 * allowed, "angle {angle}: {error}");
                 let words = [found.0, pull.0.x, pull.0.y, pull.0.z].map(f64::to_bits);
                 records.push((target.id, words.to_vec()));
             }
+            println!("opening angle {angle}: worst errors {:.1e} (potential), {:.1e} (acceleration)", worst.0, worst.1);
         }
         collected(comm, records)
     });
