@@ -21,4 +21,9 @@ pub mod scene;
 
 pub mod step;
 
+pub mod simulation;
+
+pub mod campaigns;
+
 pub mod cli;
+pub mod program;

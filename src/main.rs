@@ -1,3 +1,3 @@
 fn main() {
-    std::process::exit(sph_mpi::cli::program::main());
+    std::process::exit(sph_mpi::program::main());
 }

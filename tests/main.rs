@@ -3,5 +3,9 @@
 mod architecture;
 mod common;
 mod errors;
+mod output;
+mod pair_loop;
 mod ranks;
+mod ranks_domain;
+mod ranks_outcome;
 mod sameness;

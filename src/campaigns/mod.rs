@@ -1,4 +1,7 @@
-//! Runs that answer one question together.
+//! Runs that answer one question together, and what they will cost.
 
 pub mod bracket;
+pub mod cost;
 pub mod fit;
+pub mod record;
+pub mod search;

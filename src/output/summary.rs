@@ -74,10 +74,20 @@ pub struct Summary {
 pub struct Threshold {
     pub q_star_d: f64,
     pub q_star_rd: f64,
+    /// Of Q*_D: half the bracket, scatter about the fit and shift between the two times of evaluation, combined.
     pub uncertainty: f64,
-    /// The published value it is compared with.
+    pub uncertainty_of_q_star_rd: f64,
+    /// Parts of the uncertainty of Q*_D: bracket, residual, shift.
+    pub uncertainty_parts: Figures,
+    /// Slope s of M_lr / M_T = 1/2 - s (Q / Q*_D - 1).
+    pub slope: f64,
+    /// Angle of the impacts from the normal, degrees; published fits average over angles.
+    pub angle: f64,
+    /// The published value it is compared with, Benz & Asphaug 1999.
     pub reference: f64,
     pub ratio_to_reference: f64,
+    /// How the search ended.
+    pub end: String,
     pub impacts: Vec<Figures>,
 }
 

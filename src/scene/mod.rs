@@ -22,7 +22,7 @@ use crate::error::{Error, Result};
 use crate::material::{MaterialTable, Records};
 pub use body::Body;
 pub use impact::Impact;
-pub use numerics::{ArtificialStress, KernelKind, Numerics, SmoothingLength};
+pub use numerics::{ArtificialStress, Numerics, SmoothingLength};
 use raw::RawScene;
 pub use settings::{Output, Precision, Run, Threshold, Until};
 pub use shape::Shape;

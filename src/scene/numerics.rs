@@ -5,22 +5,13 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use super::settings::within;
 use super::source::Document;
 use crate::error::Result;
+use crate::kernel::Kernel;
 use crate::units::Number;
-
-/// Smoothing kernels a scene may choose.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum KernelKind {
-    #[default]
-    CubicSpline,
-    #[serde(rename = "wendland_c2")]
-    WendlandC2,
-}
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct RawNumerics {
-    kernel: KernelKind,
+    kernel: Kernel,
     cfl: Number,
     skin: Number,
     eta: Number,
@@ -33,7 +24,7 @@ pub struct RawNumerics {
 impl Default for RawNumerics {
     fn default() -> Self {
         Self {
-            kernel: KernelKind::CubicSpline,
+            kernel: Kernel::CubicSpline,
             cfl: Number::new(0.25),
             skin: Number::new(0.1),
             eta: Number::new(1.2),
@@ -152,7 +143,7 @@ impl<'de> Deserialize<'de> for RawSmoothingLength {
 /// How the sums are made.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Numerics {
-    pub kernel: KernelKind,
+    pub kernel: Kernel,
     /// Time step over h / signal speed.
     pub cfl: f64,
     /// Margin of neighbour lists over the support.

@@ -40,9 +40,13 @@ impl Write for Tee {
     }
 }
 
-/// Starts logging on this rank: rank 0 speaks, the others only warn.
-pub fn start(rank: usize) {
-    let default = if rank == 0 { "info" } else { "warn" };
+/// Starts logging on this rank: rank 0 speaks, the others only warn; `quiet` leaves errors.
+pub fn start(rank: usize, quiet: bool) {
+    let default = match (rank, quiet) {
+        (_, true) => "error",
+        (0, false) => "info",
+        _ => "warn",
+    };
     let filter = tracing_subscriber::EnvFilter::try_from_default_env()
         .unwrap_or_else(|_| tracing_subscriber::EnvFilter::new(default));
     tracing_subscriber::fmt()

@@ -195,7 +195,20 @@ fn outcome_figures<const D: usize>(report: &Report<D>, outcome: &Outcome) -> Fig
     Figures(figures)
 }
 
-/// Longitudinal speed of sound of the first body's material, m/s.
+/// When the bodies of an impact would touch if they flew on as they start, s; zero where they touch already.
+pub fn first_contact(scene: &Scene) -> f64 {
+    let Some(impact) = &scene.impact else { return 0.0 };
+    let (target, projectile) = (&scene.bodies[impact.target], &scene.bodies[impact.projectile]);
+    let x = Vec3::from(projectile.centre) - Vec3::from(target.centre);
+    let v = Vec3::from(projectile.velocity) - Vec3::from(target.velocity);
+    let reach = target.shape.outer_radius() + projectile.shape.outer_radius();
+    // |x + v t| = reach, the earlier root.
+    let (a, b, c) = (v.norm_squared(), x.dot(&v), x.norm_squared() - reach * reach);
+    let discriminant = b * b - a * c;
+    if a > 0.0 && discriminant >= 0.0 { ((-b - discriminant.sqrt()) / a).max(0.0) } else { 0.0 }
+}
+
+/// Longitudinal speed of sound of the target's material, m/s.
 pub fn sound_speed(scene: &Scene) -> f64 {
     let body = &scene.bodies[scene.impact.as_ref().map_or(0, |impact| impact.target)];
     let material = &scene.materials[body.material];

@@ -15,7 +15,7 @@ use crate::error::{Error, Result};
 use crate::gravity::Opening;
 use crate::outcome::settled::Settled;
 use crate::outcome::{self, Evaluation, Outcome, Question};
-use crate::output::{Cell, CheckpointMeta, History, Snapshot, Storage, Summary, checkpoint, snapshot};
+use crate::output::{CheckpointMeta, History, Snapshot, Storage, Summary, checkpoint, snapshot};
 use crate::scene::{Precision, Scene, Until};
 use crate::step::phases::Phase;
 use crate::step::{Stepper, Totals};
@@ -81,7 +81,6 @@ struct Run<'a, const D: usize> {
 impl<'a, const D: usize> Run<'a, D> {
     /// Makes the particles or reads them from the newest whole checkpoint.
     fn open(scene: &'a Scene, options: &'a Options, comm: &'a Comm) -> Result<Self> {
-        directory::prepare(&options.directory, options.resume, comm)?;
         let started = Instant::now();
         let (cpu_at_start, wait_at_start) = (resources::cpu_seconds(), comm.wait_seconds());
         if comm.is_root() {
@@ -154,11 +153,10 @@ impl<'a, const D: usize> Run<'a, D> {
     fn first_state(scene: &Scene, stepper: &mut Stepper<'a, D>) -> Result<RunState> {
         let first = stepper.totals();
         let agreed = stepper.start()?;
-        let settled = scene.impact.as_ref().filter(|_| scene.run.until == Until::Settled).map(|impact| {
+        let settled = scene.impact.as_ref().filter(|_| scene.run.until == Until::Settled).map(|_| {
             let largest = scene.bodies.iter().map(|b| b.shape.outer_radius()).fold(0.0, f64::max);
             let crossing = 2.0 * largest / report::sound_speed(scene);
-            let contact = scene.gap() / impact.speed;
-            Settled::new(contact, crossing, first.kinetic_in_centre_of_mass())
+            Settled::new(report::first_contact(scene), crossing, first.kinetic_in_centre_of_mass())
         });
         Ok(RunState {
             time: 0.0,

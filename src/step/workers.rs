@@ -49,17 +49,31 @@ impl<W: Send> Workers<W> {
     }
 }
 
-/// Cores this process may really run on: launchers pin ranks, and a pool larger than that only waits for itself.
-pub fn usable_cores() -> usize {
-    // SAFETY: `sched_getaffinity` fills the set it is given.
+/// The cores this process may really run on: launchers pin ranks, and a pool larger than that only waits for itself.
+fn affinity() -> libc::cpu_set_t {
+    // SAFETY: `sched_getaffinity` fills the set it is given; where it fails the set stays empty.
     unsafe {
         let mut set: libc::cpu_set_t = std::mem::zeroed();
-        if libc::sched_getaffinity(0, std::mem::size_of::<libc::cpu_set_t>(), &mut set) == 0 {
-            libc::CPU_COUNT(&set) as usize
-        } else {
-            std::thread::available_parallelism().map_or(1, |n| n.get())
-        }
+        libc::sched_getaffinity(0, std::mem::size_of::<libc::cpu_set_t>(), &mut set);
+        set
     }
+}
+
+/// How many they are.
+pub fn usable_cores() -> usize {
+    // SAFETY: counts the bits of a set.
+    let count = unsafe { libc::CPU_COUNT(&affinity()) } as usize;
+    if count > 0 { count } else { std::thread::available_parallelism().map_or(1, |n| n.get()) }
+}
+
+/// A number that ranks of one host share if they may use the same cores.
+pub fn affinity_key() -> u64 {
+    let host = std::fs::read("/proc/sys/kernel/hostname").unwrap_or_default();
+    let set = affinity();
+    // SAFETY: reads of whether a core below the set's size is in it.
+    let cores: Vec<u8> = (0..libc::CPU_SETSIZE as usize).map(|core| unsafe { libc::CPU_ISSET(core, &set) } as u8).collect();
+    let hash = blake3::hash(&[host, cores].concat());
+    u64::from_le_bytes(std::array::from_fn(|k| hash.as_bytes()[k]))
 }
 
 #[cfg(test)]
