@@ -327,3 +327,37 @@ fn few_particles() {
         linked.1 + &apart.1
     });
 }
+
+/// Half-damaged rubble that flies apart at about the speed of escape: many fragments, much that is barely bound, all bits
+/// of pieces, outcome and tables compared. Mass is conserved, and what is bound is neither nothing nor all.
+#[test]
+fn expanding_rubble_has_one_outcome() {
+    on_ranks("expanding_rubble_has_one_outcome", |comm| {
+        let n = 9i64;
+        let escape = n as f64 * SPACING * (8.0 / 3.0 * std::f64::consts::PI * G * 2700.0).sqrt();
+        let side = -n..=n;
+        let sites = side.clone().flat_map(|x| {
+            let side = side.clone();
+            side.clone().flat_map(move |y| side.clone().map(move |z| [x, y, z]))
+        });
+        let all: Vec<Particle> = sites
+            .filter(|s| s.iter().map(|c| c * c).sum::<i64>() <= n * n)
+            .enumerate()
+            .map(|(k, site)| {
+                let id = k as u64;
+                let draw = |number| uniform(3, id, number);
+                let out = Vec3::from_fn(|k, _| site[k] as f64 / n as f64);
+                let speed = escape * (0.2 + 1.6 * out.norm_squared() * draw(0));
+                particle(id, site, out * speed, if draw(1) < 0.12 { 0.7 * draw(2) } else { 1.0 })
+            })
+            .collect();
+        let mine = share(comm, &all, n as f64 * SPACING);
+        let target_mass = all[0].mass * all.len() as f64;
+        let evaluation = evaluate(comm, &mine, &Question { dimension: 3, target_mass });
+        let outcome = &evaluation.outcome;
+        assert!((outcome.total_mass / target_mass - 1.0).abs() < 1e-14);
+        assert!(outcome.fragments > 20 && outcome.strict.fragments > 20, "{outcome:?}");
+        assert!(outcome.largest_remnant_fraction > 0.2 && outcome.largest_remnant_fraction < 0.98, "{outcome:?}");
+        digest(comm, &evaluation)
+    });
+}

@@ -107,7 +107,7 @@ impl Field for Acceleration {
     }
 }
 
-/// -phi / (G m) of the softened body, 1/m (Price and Monaghan 2007, Eq. A1 with support 2h).
+/// -phi / (G m) of the softened body, 1/m (Price and Monaghan 2007, appendix A; support 2h).
 #[inline]
 fn spline_potential(r: f64, h: f64) -> f64 {
     if r >= 2.0 * h {
@@ -122,7 +122,7 @@ fn spline_potential(r: f64, h: f64) -> f64 {
     }
 }
 
-/// phi'(r) / (G m r) of the softened body, 1/m^3 (Price and Monaghan 2007, Eq. A2).
+/// phi'(r) / (G m r) of the softened body, 1/m^3 (Price and Monaghan 2007, appendix A).
 #[inline]
 fn spline_force_over_r(r: f64, h: f64) -> f64 {
     if r >= 2.0 * h {
