@@ -225,7 +225,7 @@ fn fragments_across_ranks() {
             };
             assert_eq!(*label, expected, "{at}");
         }
-        let question = Question { dimension: 2, target_mass: 1e12, opening: Opening::default() };
+        let question = Question { dimension: 2, target_mass: 1e12 };
         let evaluation = evaluate(comm, &mine, &question);
         assert_eq!(evaluation.outcome.fragments, 2);
         let mass = all[0].mass;
@@ -266,7 +266,7 @@ fn rubble_is_bound_and_fast_ejecta_are_not() {
         let mine = share(comm, &all, 65.0 * SPACING);
         let mass = all[0].mass;
         let target_mass = mass * in_large as f64;
-        let evaluation = evaluate(comm, &mine, &Question { dimension: 3, target_mass, opening: Opening::default() });
+        let evaluation = evaluate(comm, &mine, &Question { dimension: 3, target_mass });
         let outcome = &evaluation.outcome;
         let expected = (in_large + 2) as f64 / in_large as f64;
         assert!((outcome.largest_remnant_fraction - expected).abs() < 1e-12, "{outcome:?} {expected}");
@@ -295,12 +295,69 @@ fn two_halves_obey_two_body_energy() {
                 all.push(particle(k as u64, position, Vec3::new(speed, 0.0, 0.0), 0.0));
             }
             let mine = share(comm, &all, 25.0 * SPACING);
-            let question = Question { dimension: 3, target_mass: 2.0 * half_mass, opening: Opening::default() };
+            let question = Question { dimension: 3, target_mass: 2.0 * half_mass };
             let outcome = evaluate(comm, &mine, &question).outcome;
             assert!((outcome.largest_fragment_fraction - 0.5).abs() < 1e-14);
             fractions.push(outcome.largest_remnant_fraction);
         }
         assert!((fractions[0] - 1.0).abs() < 1e-14 && (fractions[1] - 0.5).abs() < 1e-14, "{fractions:?}");
         format!("{fractions:?}")
+    });
+}
+
+/// Ranks without particles take part: two particles on one rank, linked or apart.
+#[test]
+fn few_particles() {
+    on_ranks("few_particles", |comm| {
+        let question = Question { dimension: 3, target_mass: 2.0 * 2700.0 * SPACING * SPACING * SPACING };
+        let look = |distance, speed| {
+            let both = [
+                particle(3, [0; 3], Vec3::zeros(), 0.0),
+                particle(8, [distance, 0, 0], Vec3::new(speed, 0.0, 0.0), 0.0),
+            ];
+            let is_last = comm.rank() + 1 == comm.size();
+            let evaluation = evaluate(comm, if is_last { &both } else { &[] }, &question);
+            (evaluation.outcome.clone(), digest(comm, &evaluation))
+        };
+        let (linked, apart) = (look(1, 0.0), look(5, 1.0));
+        assert_eq!((linked.0.fragments, linked.0.largest_fragment_fraction), (1, 1.0));
+        assert_eq!((linked.0.largest_remnant_fraction, linked.0.second_remnant_fraction), (1.0, 0.0));
+        assert_eq!((apart.0.fragments, apart.0.largest_fragment_fraction), (0, 0.0));
+        assert_eq!((apart.0.largest_remnant_fraction, apart.0.second_remnant_fraction), (0.5, 0.5));
+        linked.1 + &apart.1
+    });
+}
+
+/// Half-damaged rubble that flies apart at about the speed of escape: many fragments, much that is barely bound, all bits
+/// of pieces, outcome and tables compared. Mass is conserved, and what is bound is neither nothing nor all.
+#[test]
+fn expanding_rubble_has_one_outcome() {
+    on_ranks("expanding_rubble_has_one_outcome", |comm| {
+        let n = 9i64;
+        let escape = n as f64 * SPACING * (8.0 / 3.0 * std::f64::consts::PI * G * 2700.0).sqrt();
+        let side = -n..=n;
+        let sites = side.clone().flat_map(|x| {
+            let side = side.clone();
+            side.clone().flat_map(move |y| side.clone().map(move |z| [x, y, z]))
+        });
+        let all: Vec<Particle> = sites
+            .filter(|s| s.iter().map(|c| c * c).sum::<i64>() <= n * n)
+            .enumerate()
+            .map(|(k, site)| {
+                let id = k as u64;
+                let draw = |number| uniform(3, id, number);
+                let out = Vec3::from_fn(|k, _| site[k] as f64 / n as f64);
+                let speed = escape * (0.2 + 1.6 * out.norm_squared() * draw(0));
+                particle(id, site, out * speed, if draw(1) < 0.12 { 0.7 * draw(2) } else { 1.0 })
+            })
+            .collect();
+        let mine = share(comm, &all, n as f64 * SPACING);
+        let target_mass = all[0].mass * all.len() as f64;
+        let evaluation = evaluate(comm, &mine, &Question { dimension: 3, target_mass });
+        let outcome = &evaluation.outcome;
+        assert!((outcome.total_mass / target_mass - 1.0).abs() < 1e-14);
+        assert!(outcome.fragments > 20 && outcome.strict.fragments > 20, "{outcome:?}");
+        assert!(outcome.largest_remnant_fraction > 0.2 && outcome.largest_remnant_fraction < 0.98, "{outcome:?}");
+        digest(comm, &evaluation)
     });
 }

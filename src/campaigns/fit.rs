@@ -1,5 +1,5 @@
 //! From impacts to a threshold and how far to trust it. Near the threshold the largest remnant follows
-//! M_lr / M = 1/2 - s (Q / Q* - 1) (Benz and Asphaug 1999, Eq. 8), a straight line in Q; it is put through all impacts that
+//! M_lr / M = 1/2 - s (Q / Q* - 1) (Benz and Asphaug 1999), a straight line in Q; it is put through all impacts that
 //! left between 0.1 and 0.9 by least squares. Shares far from one half bend away from the line: impacts count the less
 //! the farther they are, with the tricube weights of local regression (Cleveland 1979), zero at 0.1 and 0.9.
 //!

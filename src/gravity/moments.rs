@@ -4,7 +4,7 @@
 //! Q = 3 S - tr(S) 1:  phi = -G [M / r + x.Q.x / (2 r^5)],  a = -grad phi = G [-M x / r^3 + Q x / r^5 - 5 (x.Q.x) x / (2 r^7)].
 
 use super::{G, Source};
-use crate::math::{Mat3, Vec3};
+use crate::math::Vec3;
 
 /// Mass, centre and second moments of some sources.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,10 +49,14 @@ impl Moments {
         Self { mass, centre, second, softening }
     }
 
-    /// Q = 3 S - tr(S) 1.
-    fn quadrupole(&self) -> Mat3 {
+    /// Q x, with Q = 3 S - tr(S) 1.
+    #[inline]
+    fn quadrupole_times(&self, x: &Vec3) -> Vec3 {
         let [xx, yy, zz, xy, xz, yz] = self.second;
-        3.0 * Mat3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz) - Mat3::identity() * (xx + yy + zz)
+        let sx = xx * x.x + xy * x.y + xz * x.z;
+        let sy = xy * x.x + yy * x.y + yz * x.z;
+        let sz = xz * x.x + yz * x.y + zz * x.z;
+        3.0 * Vec3::new(sx, sy, sz) - x * (xx + yy + zz)
     }
 }
 
@@ -73,7 +77,7 @@ impl Field for Potential {
     fn add_cell(&mut self, cell: &Moments, x: &Vec3, r2: f64) {
         let inverse = 1.0 / r2.sqrt();
         let inverse2 = inverse * inverse;
-        let xqx = x.dot(&(cell.quadrupole() * x));
+        let xqx = x.dot(&cell.quadrupole_times(x));
         self.0 -= G * inverse * (cell.mass + 0.5 * xqx * inverse2 * inverse2);
     }
 
@@ -92,7 +96,7 @@ impl Field for Acceleration {
     fn add_cell(&mut self, cell: &Moments, x: &Vec3, r2: f64) {
         let inverse2 = 1.0 / r2;
         let inverse3 = inverse2 * inverse2.sqrt();
-        let qx = cell.quadrupole() * x;
+        let qx = cell.quadrupole_times(x);
         let radial = cell.mass + 2.5 * x.dot(&qx) * inverse2 * inverse2;
         self.0 += (qx * inverse2 - x * radial) * (G * inverse3);
     }
@@ -103,7 +107,7 @@ impl Field for Acceleration {
     }
 }
 
-/// -phi / (G m) of the softened body, 1/m (Price and Monaghan 2007, Eq. A1 with support 2h).
+/// -phi / (G m) of the softened body, 1/m (Price and Monaghan 2007, appendix A; support 2h).
 #[inline]
 fn spline_potential(r: f64, h: f64) -> f64 {
     if r >= 2.0 * h {
@@ -118,7 +122,7 @@ fn spline_potential(r: f64, h: f64) -> f64 {
     }
 }
 
-/// phi'(r) / (G m r) of the softened body, 1/m^3 (Price and Monaghan 2007, Eq. A2).
+/// phi'(r) / (G m r) of the softened body, 1/m^3 (Price and Monaghan 2007, appendix A).
 #[inline]
 fn spline_force_over_r(r: f64, h: f64) -> f64 {
     if r >= 2.0 * h {

@@ -13,6 +13,8 @@ use crate::math::{ExactSum, Vec3};
 
 /// Passes in which pieces may join as well as leave; later they only leave, so that the search ends.
 const FREE_PASSES: usize = 30;
+/// Opening angle: potentials are right to about 1e-3, speeds of escape to half of that.
+const ANGLE: f64 = 0.8;
 
 /// A set of pieces of all ranks.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,20 +26,18 @@ pub struct Aggregate {
 }
 
 /// The most massive aggregate among the pieces that are `free`. Collective.
-pub fn largest(comm: &Comm, pieces: &[Piece], free: &[bool], opening: Opening) -> Aggregate {
-    let search = Search { comm, pieces, free, opening };
-    let by_mass = |fragment: bool| {
-        let candidates = (0..pieces.len()).filter(move |&i| free[i] && (!fragment || pieces[i].count > 1));
-        best(comm, pieces, candidates.map(|i| (pieces[i].mass, i)))
+pub fn largest(comm: &Comm, pieces: &[Piece], free: &[bool]) -> Aggregate {
+    let search = Search { comm, pieces, free };
+    let fragments = (0..pieces.len()).filter(|&i| free[i] && pieces[i].count > 1);
+    let from_fragment = match best(comm, pieces, fragments.map(|i| (pieces[i].mass, i))) {
+        Some(label) => search.grow(pieces.iter().map(|p| p.label == label).collect()),
+        None => Aggregate { members: vec![false; pieces.len()], mass: 0.0 },
     };
-    let from_rubble = search.grow(search.bound_to_the_deepest());
-    match by_mass(true) {
-        None => from_rubble,
-        Some(label) => {
-            let from_fragment = search.grow(pieces.iter().map(|p| p.label == label).collect());
-            if from_rubble.mass > from_fragment.mass { from_rubble } else { from_fragment }
-        }
+    if from_fragment.mass > 0.5 * search.sum(free).0 {
+        return from_fragment;
     }
+    let from_rubble = search.grow(search.bound_to_the_deepest());
+    if from_rubble.mass > from_fragment.mass { from_rubble } else { from_fragment }
 }
 
 /// The label of the piece with the largest figure over all ranks, the smallest label among equals. Collective.
@@ -54,17 +54,25 @@ struct Search<'a> {
     comm: &'a Comm,
     pieces: &'a [Piece],
     free: &'a [bool],
-    opening: Opening,
 }
 
 impl Search<'_> {
     /// Lets an aggregate gain and lose pieces until it stays as it is.
     fn grow(&self, seed: Vec<bool>) -> Aggregate {
-        let mut members = seed;
+        let mut members = vec![false; self.pieces.len()];
+        let mut potential = vec![0.0; self.pieces.len()];
+        let (mut next, mut mass) = (seed, 0.0);
         for pass in 0.. {
-            let (mass, momentum) = self.sum(&members);
+            let mut changed = [if next == members { 0.0 } else { 1.0 }];
+            self.comm.all_max(&mut changed);
+            if changed[0] == 0.0 {
+                break;
+            }
+            self.update_potential(&mut potential, &members, &next);
+            members = next;
+            let momentum;
+            (mass, momentum) = self.sum(&members);
             let anchor = best(self.comm, self.pieces, self.chosen(&members).map(|i| (self.pieces[i].mass, i)));
-            let potential = self.potential(&members);
             let stays = |i: usize| {
                 let piece = &self.pieces[i];
                 let mine = if members[i] { piece.mass } else { 0.0 };
@@ -73,20 +81,15 @@ impl Search<'_> {
                 let energy = 0.5 * motion.norm_squared() + potential[i] * (1.0 + piece.mass / rest);
                 Some(piece.label) == anchor || energy < 0.0 && (members[i] || pass < FREE_PASSES)
             };
-            let next: Vec<bool> = (0..members.len()).map(|i| self.free[i] && stays(i)).collect();
-            let mut changed = [if next == members { 0.0 } else { 1.0 }];
-            self.comm.all_max(&mut changed);
-            if changed[0] == 0.0 {
-                return Aggregate { members, mass };
-            }
-            members = next;
+            next = (0..members.len()).map(|i| self.free[i] && stays(i)).collect();
         }
-        unreachable!("members only leave after {FREE_PASSES} passes")
+        Aggregate { members, mass }
     }
 
     /// All that is bound, in the potential of all free pieces, to the piece that lies deepest in it.
     fn bound_to_the_deepest(&self) -> Vec<bool> {
-        let potential = self.potential(self.free);
+        let mut potential = vec![0.0; self.pieces.len()];
+        self.update_potential(&mut potential, &vec![false; self.pieces.len()], self.free);
         let deepest = best(self.comm, self.pieces, self.chosen(self.free).map(|i| (-potential[i], i)));
         let here = self.pieces.iter().find(|p| Some(p.label) == deepest);
         let mut frame = here.map_or([f64::NEG_INFINITY; 3], |p| p.velocity.into());
@@ -117,13 +120,19 @@ impl Search<'_> {
         (mass, Vec3::new(x, y, z))
     }
 
-    /// The potential of the members at every piece, itself left out, J/kg.
-    fn potential(&self, members: &[bool]) -> Vec<f64> {
+    /// Brings the potential of the members at every piece, itself left out (J/kg), from one membership to the next: it is
+    /// linear in them, and after the first pass few change.
+    fn update_potential(&self, potential: &mut [f64], before: &[bool], after: &[bool]) {
         let source =
             |p: &Piece| Source { id: p.label, position: p.position.into(), mass: p.mass, softening: p.softening() };
-        let sources: Vec<Source> = self.chosen(members).map(|i| source(&self.pieces[i])).collect();
         let targets: Vec<Target> = self.pieces.iter().map(|p| Target::from(&source(p))).collect();
-        let tree = Tree::build(self.comm, &sources, &targets, self.opening);
-        tree.fields::<Potential>(&targets).into_iter().map(|potential| potential.0).collect()
+        for (from, to, sign) in [(before, after, 1.0), (after, before, -1.0)] {
+            let changed = (0..self.pieces.len()).filter(|&i| to[i] && !from[i]);
+            let sources: Vec<Source> = changed.map(|i| source(&self.pieces[i])).collect();
+            let tree = Tree::build(self.comm, &sources, &targets, Opening::new(ANGLE));
+            for (sum, part) in potential.iter_mut().zip(tree.fields::<Potential>(&targets)) {
+                *sum += sign * part.0;
+            }
+        }
     }
 }

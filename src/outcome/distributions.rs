@@ -67,12 +67,8 @@ impl Bins {
         comm.all_sum(&mut counts);
         let mut limbs: Vec<i64> = masses.iter_mut().flat_map(|sum| sum.limbs_mut().to_vec()).collect();
         comm.all_sum(&mut limbs);
-        let value = |limbs: &[i64]| {
-            let mut sum = ExactSum::new();
-            sum.limbs_mut().copy_from_slice(limbs);
-            sum.value()
-        };
-        let masses: Vec<f64> = limbs.chunks_exact(ExactSum::WORDS).map(value).collect();
+        let masses: Vec<f64> =
+            limbs.chunks_exact(ExactSum::WORDS).map(|limbs| ExactSum::from_limbs(limbs).value()).collect();
         Self {
             counts: [counts[..BINS].to_vec(), counts[BINS..].to_vec()],
             masses: [masses[..BINS].to_vec(), masses[BINS..].to_vec()],

@@ -274,10 +274,10 @@ mod tests {
         let points: Vec<_> = (0..700).map(|i| point(900 - i, place(i), 0.25 + 0.35 * draw(i, 3))).collect();
         let mut sets = link(&points, LINK * 0.6);
         let expected = brute(&points);
-        for i in 0..points.len() {
+        for (i, label) in expected.iter().enumerate() {
             let root = sets.root(i);
             let mine = (0..points.len()).filter(|&j| sets.root(j) == root).map(|j| points[j].id).min();
-            assert_eq!(mine, Some(expected[i]));
+            assert_eq!(mine, Some(*label));
         }
         let mut different = expected.clone();
         different.sort_unstable();

@@ -14,7 +14,6 @@ pub mod tally;
 use serde::{Deserialize, Serialize};
 
 use crate::domain::comm::Comm;
-use crate::gravity::Opening;
 use crate::material::{BodyConstants, Core};
 use crate::math::{ExactSum, Vec3};
 use crate::particles::Columns;
@@ -110,8 +109,6 @@ pub struct Question {
     pub dimension: usize,
     /// Mass of the target, kg.
     pub target_mass: f64,
-    /// For the potential of aggregates.
-    pub opening: Opening,
 }
 
 /// The outcome of an impact; fractions are of the target's mass where nothing else is said.
@@ -214,7 +211,7 @@ impl Remnants {
     /// Mass and members of the largest remnant among free pieces.
     fn largest_of(&self, comm: &Comm, free: &[bool], question: &Question) -> (f64, Vec<bool>) {
         if question.dimension == 3 {
-            let aggregate = bound::largest(comm, &self.pieces, free, question.opening);
+            let aggregate = bound::largest(comm, &self.pieces, free);
             return (aggregate.mass, aggregate.members);
         }
         let figures = (0..free.len()).filter(|&i| free[i]).map(|i| (self.pieces[i].mass, i));
@@ -230,8 +227,5 @@ impl Remnants {
 fn all_values<const N: usize>(comm: &Comm, sums: &mut [ExactSum; N]) -> [f64; N] {
     let mut limbs: Vec<i64> = sums.iter_mut().flat_map(|sum| sum.limbs_mut().to_vec()).collect();
     comm.all_sum(&mut limbs);
-    std::array::from_fn(|k| {
-        sums[k].limbs_mut().copy_from_slice(&limbs[k * ExactSum::WORDS..(k + 1) * ExactSum::WORDS]);
-        sums[k].value()
-    })
+    std::array::from_fn(|k| ExactSum::from_limbs(&limbs[k * ExactSum::WORDS..(k + 1) * ExactSum::WORDS]).value())
 }

@@ -21,8 +21,7 @@ pub fn projectile_mass(target_mass: f64, q: f64, speed: f64) -> f64 {
     2.0 * q * target_mass / (speed * speed)
 }
 
-/// Q*_D = q0 (R / 1 cm)^a + b rho (R / 1 cm)^beta; averages over impact angles. Benz and Asphaug 1999, Icarus 142, 5,
-/// Eq. (6) and Table III.
+/// Q*_D = q0 (R / 1 cm)^a + b rho (R / 1 cm)^beta; averages over impact angles. Benz and Asphaug 1999, Icarus 142, 5.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ThresholdFit {
     /// erg/g.
