@@ -12,7 +12,6 @@ use super::state::{Conservation, RunState, Spent};
 use super::{directory, resources};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
-use crate::gravity::Opening;
 use crate::outcome::settled::Settled;
 use crate::outcome::{self, Evaluation, Outcome, Question};
 use crate::output::{CheckpointMeta, History, Snapshot, Storage, Summary, checkpoint, snapshot};
@@ -274,7 +273,6 @@ impl<'a, const D: usize> Run<'a, D> {
         let question = Question {
             dimension: D,
             target_mass: self.scene.bodies[target].mass(),
-            opening: Opening::default(),
         };
         let evaluation = outcome::evaluate(self.comm, &particles, &question);
         self.stepper.phases.add(Phase::Outcome, start);
