@@ -58,7 +58,8 @@ impl<const D: usize> Extent<D> {
         })
     }
 
-    fn needs(&self, site: &Site<D>) -> bool {
+    /// Whether a particle of another rank is a ghost here.
+    pub fn needs(&self, site: &Site<D>) -> bool {
         let radius = self.radius.max(site.radius);
         self.distance_squared(&site.position, &site.position) < radius * radius
     }
