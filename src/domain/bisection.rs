@@ -1,5 +1,6 @@
 //! Orthogonal recursive bisection over cost: a box is cut across its longest side so that the costs on both sides stand like
-//! the numbers of parts they will be cut into, for any number of parts (Salmon 1991, PhD thesis, Caltech, section 5.1).
+//! the numbers of parts they will be cut into, for any number of parts (Berger and Bokhari 1987, IEEE
+//! Trans. Comput. C-36, 570).
 //! Planes are found by histograms: no rank ever sees another's particles, costs are integers, so that sums are exact, and
 //! all boxes of one depth share their collectives.
 //!
@@ -123,11 +124,11 @@ impl<const D: usize> Bisection<D> {
             for o in &open {
                 tree.nodes[o.node].children = tree.split(&mut next, o.first, o.parts);
             }
-            let number = |node: u32| next.iter().position(|o| o.node == node as usize).map(|n| n as u32);
-            let numbers: Vec<_> = (0..tree.nodes.len() as u32).map(number).collect();
+            // Nodes of one depth have consecutive numbers.
+            let first = next.first().map_or(0, |o: &Open| o.node as u32);
             for (member, position) in members.iter_mut().zip(positions) {
                 *member = member.and_then(|m| match tree.nodes[open[m as usize].node].child(position) {
-                    Child::Node(node) => numbers[node as usize],
+                    Child::Node(node) => Some(node - first),
                     Child::Part(_) => None,
                 });
             }

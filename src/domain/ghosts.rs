@@ -58,7 +58,8 @@ impl<const D: usize> Extent<D> {
         })
     }
 
-    fn needs(&self, site: &Site<D>) -> bool {
+    /// Whether a particle of another rank is a ghost here.
+    pub fn needs(&self, site: &Site<D>) -> bool {
         let radius = self.radius.max(site.radius);
         self.distance_squared(&site.position, &site.position) < radius * radius
     }
@@ -136,13 +137,20 @@ mod tests {
         let at = |x, radius| Site { id: 0, position: [x, 0.0], radius };
         let extent = Extent::of(&[at(0.0, 1.0), at(4.0, 1.5)]);
         assert_eq!(extent, Extent { low: [0.0; 2], high: [4.0, 0.0], radius: 1.5 });
-        for (x, radius, ghost) in
-            [(2.0, 0.1, true), (5.4, 0.1, true), (5.5, 0.1, false), (7.0, 3.1, true), (-1.6, 1.0, false), (-1.6, 1.7, true)]
-        {
+        for (x, radius, ghost) in [
+            (2.0, 0.1, true),
+            (5.4, 0.1, true),
+            (5.5, 0.1, false),
+            (7.0, 3.1, true),
+            (-1.6, 1.0, false),
+            (-1.6, 1.7, true),
+        ] {
             assert_eq!(extent.needs(&at(x, radius)), ghost, "{x} {radius}");
             assert_eq!(extent.may_need(&Extent::of(&[at(x, radius)])), ghost);
         }
         let nobody = Extent::of(&[]);
-        assert!(nobody.is_empty() && !nobody.needs(&at(0.0, 1e9)) && !extent.may_need(&nobody) && !nobody.may_need(&extent));
+        assert!(
+            nobody.is_empty() && !nobody.needs(&at(0.0, 1e9)) && !extent.may_need(&nobody) && !nobody.may_need(&extent)
+        );
     }
 }

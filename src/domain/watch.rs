@@ -156,7 +156,9 @@ impl<const D: usize> Watch<D> {
             reach.extend(cells.iter().map(smallest));
         }
         let (mut send_cells, mut sends, mut messages) = (Vec::new(), Vec::new(), Vec::new());
-        for (rank, extent) in extents.iter().enumerate().filter(|(rank, extent)| *rank != comm.rank() && !extent.is_empty()) {
+        for (rank, extent) in
+            extents.iter().enumerate().filter(|(rank, extent)| *rank != comm.rank() && !extent.is_empty())
+        {
             let start = send_cells.len();
             send_cells.extend(cells_near(lattice, (&cells, &levels), extent));
             let sent = &send_cells[start..];
@@ -218,7 +220,10 @@ impl<const D: usize> Watch<D> {
         std::mem::size_of::<Cell>() * self.cells.len()
             + std::mem::size_of::<Summary<D>>() * self.summaries.len()
             + 8 * (self.supports.len() + self.radii.len() + self.blocks.reach.len())
-            + 4 * (self.blocks.offsets.len() + self.blocks.cells.len() + self.send_cells.len() + self.receive_cells.len())
+            + 4 * (self.blocks.offsets.len()
+                + self.blocks.cells.len()
+                + self.send_cells.len()
+                + self.receive_cells.len())
             + self.exchange.bytes()
     }
 
@@ -354,7 +359,9 @@ impl Known {
             for &centre in &centres {
                 let around = Block::around::<D>(centre, side);
                 let start = blocks.cells.len();
-                blocks.cells.extend(around.codes().iter().filter_map(|&c| self.tables[level as usize].get(c)).map(|c| c.0));
+                blocks
+                    .cells
+                    .extend(around.codes().iter().filter_map(|&c| self.tables[level as usize].get(c)).map(|c| c.0));
                 let reach = blocks.cells[start..].iter().map(|&c| self.reach[c as usize]);
                 blocks.reach.push(reach.fold(f64::INFINITY, f64::min));
                 blocks.offsets.push(blocks.cells.len() as u32);

@@ -22,7 +22,12 @@ pub struct Candidates<const D: usize> {
 
 impl<const D: usize> Default for Candidates<D> {
     fn default() -> Self {
-        Self { position: std::array::from_fn(|_| Vec::new()), radius_squared: Vec::new(), slots: Vec::new(), ghosts: false }
+        Self {
+            position: std::array::from_fn(|_| Vec::new()),
+            radius_squared: Vec::new(),
+            slots: Vec::new(),
+            ghosts: false,
+        }
     }
 }
 
@@ -108,7 +113,10 @@ impl<const D: usize> Candidates<D> {
             unsafe {
                 let mut r_squared = _mm256_setzero_pd();
                 for d in 0..D {
-                    let x = _mm256_sub_pd(_mm256_set1_pd(centre.position[d]), _mm256_loadu_pd(self.position[d].as_ptr().add(k)));
+                    let x = _mm256_sub_pd(
+                        _mm256_set1_pd(centre.position[d]),
+                        _mm256_loadu_pd(self.position[d].as_ptr().add(k)),
+                    );
                     r_squared = _mm256_add_pd(r_squared, _mm256_mul_pd(x, x));
                 }
                 let limit = _mm256_max_pd(radius_squared, _mm256_loadu_pd(self.radius_squared.as_ptr().add(k)));
@@ -139,7 +147,10 @@ impl<const D: usize> Candidates<D> {
                     let at = k + 8 * half;
                     let mut r_squared = _mm512_setzero_pd();
                     for d in 0..D {
-                        let x = _mm512_sub_pd(_mm512_set1_pd(centre.position[d]), _mm512_loadu_pd(self.position[d].as_ptr().add(at)));
+                        let x = _mm512_sub_pd(
+                            _mm512_set1_pd(centre.position[d]),
+                            _mm512_loadu_pd(self.position[d].as_ptr().add(at)),
+                        );
                         r_squared = _mm512_add_pd(r_squared, _mm512_mul_pd(x, x));
                     }
                     let limit = _mm512_max_pd(radius_squared, _mm512_loadu_pd(self.radius_squared.as_ptr().add(at)));

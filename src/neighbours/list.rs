@@ -77,7 +77,8 @@ impl<const D: usize> NeighbourList<D> {
 
     /// Bytes held, spare capacity included.
     pub fn bytes(&self) -> usize {
-        let numbers = self.entries.capacity() + self.interior.capacity() + self.boundary.capacity() + self.cells.capacity();
+        let numbers =
+            self.entries.capacity() + self.interior.capacity() + self.boundary.capacity() + self.cells.capacity();
         8 * self.offsets.capacity() + 4 * numbers
     }
 
@@ -307,7 +308,8 @@ mod tests {
         let expected = rows(&list, &whole);
         let mut found = Vec::new();
         for part in 0..5 {
-            let owned: Vec<_> = sites.iter().filter(|s| (0..5).find(|&p| is_part(s, p, n)) == Some(part)).copied().collect();
+            let owned: Vec<_> =
+                sites.iter().filter(|s| (0..5).find(|&p| is_part(s, p, n)) == Some(part)).copied().collect();
             let ghosts: Vec<_> = sites
                 .iter()
                 .filter(|s| !owned.iter().any(|o| o.id == s.id))

@@ -1,8 +1,8 @@
 //! Who is near whom: lists of neighbours within the larger of two list radii. Knows positions and radii, no physics and no
 //! ranks: what it is given is the local set.
 
-pub mod cells;
-pub mod filter;
+mod cells;
+mod filter;
 pub mod list;
 
 pub use list::NeighbourList;

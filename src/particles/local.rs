@@ -99,7 +99,10 @@ impl<const D: usize> Local<D> {
     }
 
     fn push(&mut self, place: Place, site: &Site<D>, ghost: bool) {
-        debug_assert!(self.places.last().is_none_or(|last| *last < place), "particles are in canonical order and ids unique");
+        debug_assert!(
+            self.places.last().is_none_or(|last| *last < place),
+            "particles are in canonical order and ids unique"
+        );
         self.places.push(place);
         for (column, x) in self.position.iter_mut().zip(site.position) {
             column.push(x);
