@@ -92,7 +92,9 @@ fn prepare(args: &Args, options: &Options, comm: &Comm) -> Result<()> {
         None => (cores / ranks_on_these_cores(cores, comm)).max(1),
     };
     if threads > cores {
-        tracing::warn!("{threads} threads on {cores} usable cores: the launcher may have pinned this rank (--bind-to none)");
+        tracing::warn!(
+            "{threads} threads on {cores} usable cores: the launcher may have pinned this rank (--bind-to none)"
+        );
     }
     workers::start_threads(threads)?;
     signals::listen();

@@ -36,7 +36,8 @@ static ABORT_ON_PANIC: AtomicBool = AtomicBool::new(false);
 impl Comm {
     /// Initialises MPI and makes a panic on any thread of any rank end the whole job.
     pub fn start() -> Self {
-        let (universe, _level) = mpi::initialize_with_threading(mpi::Threading::Funneled).expect("MPI is initialised once");
+        let (universe, _level) =
+            mpi::initialize_with_threading(mpi::Threading::Funneled).expect("MPI is initialised once");
         let world = universe.world();
         let (rank, size) = (world.rank() as usize, world.size() as usize);
         let raw = world.as_raw();
@@ -197,7 +198,15 @@ impl Comm {
             let headers: Vec<u64> = outgoing.iter().map(|(_, words)| words.len() as u64).collect();
             for ((to, words), header) in outgoing.iter().zip(&headers) {
                 let mut request = std::mem::zeroed();
-                ffi::MPI_Issend((header as *const u64).cast(), 8, ffi::RSMPI_UINT8_T, *to as i32, tag, self.raw, &mut request);
+                ffi::MPI_Issend(
+                    (header as *const u64).cast(),
+                    8,
+                    ffi::RSMPI_UINT8_T,
+                    *to as i32,
+                    tag,
+                    self.raw,
+                    &mut request,
+                );
                 requests.push(request);
                 for piece in bytemuck::cast_slice::<u64, u8>(words).chunks(PIECE) {
                     ffi::MPI_Isend(
@@ -225,7 +234,15 @@ impl Comm {
                     ffi::MPI_Recv((&raw mut header).cast(), 8, byte, from, tag, self.raw, &mut status);
                     let mut words = vec![0u64; header as usize];
                     for piece in bytemuck::cast_slice_mut::<u64, u8>(&mut words).chunks_mut(PIECE) {
-                        ffi::MPI_Recv(piece.as_mut_ptr().cast(), piece.len() as i32, byte, from, tag + 2, self.raw, &mut status);
+                        ffi::MPI_Recv(
+                            piece.as_mut_ptr().cast(),
+                            piece.len() as i32,
+                            byte,
+                            from,
+                            tag + 2,
+                            self.raw,
+                            &mut status,
+                        );
                     }
                     received.push((from as usize, words));
                 } else if in_barrier {
@@ -279,7 +296,15 @@ impl Exchange {
                 rest = after;
                 for part in mine.chunks_mut(piece) {
                     let mut request = std::mem::zeroed();
-                    ffi::MPI_Recv_init(part.as_mut_ptr().cast(), part.len() as i32, double, from as i32, tag, comm.raw, &mut request);
+                    ffi::MPI_Recv_init(
+                        part.as_mut_ptr().cast(),
+                        part.len() as i32,
+                        double,
+                        from as i32,
+                        tag,
+                        comm.raw,
+                        &mut request,
+                    );
                     requests.push(request);
                 }
             }
@@ -289,7 +314,15 @@ impl Exchange {
                 rest = after;
                 for part in mine.chunks_mut(piece) {
                     let mut request = std::mem::zeroed();
-                    ffi::MPI_Send_init(part.as_ptr().cast(), part.len() as i32, double, to as i32, tag, comm.raw, &mut request);
+                    ffi::MPI_Send_init(
+                        part.as_ptr().cast(),
+                        part.len() as i32,
+                        double,
+                        to as i32,
+                        tag,
+                        comm.raw,
+                        &mut request,
+                    );
                     requests.push(request);
                 }
             }
@@ -324,7 +357,12 @@ impl Exchange {
             let mut flag = 0;
             // SAFETY: persistent requests stay valid when complete.
             unsafe {
-                ffi::MPI_Testall(self.requests.len() as i32, self.requests.as_mut_ptr(), &mut flag, ffi::RSMPI_STATUSES_IGNORE)
+                ffi::MPI_Testall(
+                    self.requests.len() as i32,
+                    self.requests.as_mut_ptr(),
+                    &mut flag,
+                    ffi::RSMPI_STATUSES_IGNORE,
+                )
             };
             self.running = flag == 0;
         }

@@ -2,11 +2,11 @@
 //! Neighbour k of a row stands on lane k mod 8; lanes are folded in one fixed order. Rows are padded with a record that
 //! adds exact zeros.
 
+use super::Pair;
 use super::artificial_stress;
 use super::record::{Layout, Terms, Viscosity};
 use super::stress::{PairStress, add_pressure_force};
 use super::viscosity::{Inputs, viscous};
-use super::Pair;
 use crate::kernel::Shape;
 use crate::math::lanes::{LANES, Lanes};
 

@@ -100,8 +100,8 @@ impl<'a, const D: usize> Run<'a, D> {
                 tracing::info!("going on from {}", saved.path.display());
                 let mut stepper = Stepper::new(comm, saved.columns, plan.settings(scene));
                 stepper.resume();
-                let mut state: RunState =
-                    serde_json::from_str(&saved.meta.json).map_err(|e| Error::new(format!("its state cannot be read: {e}")))?;
+                let mut state: RunState = serde_json::from_str(&saved.meta.json)
+                    .map_err(|e| Error::new(format!("its state cannot be read: {e}")))?;
                 (state.counters.pairs, state.counters.updates, state.counters.migrated) = (0, 0, 0);
                 (stepper, Some(state))
             }
@@ -270,10 +270,7 @@ impl<'a, const D: usize> Run<'a, D> {
         let core = self.stepper.settings.core;
         let particles = outcome::particles(&self.stepper.columns, &core, &self.stepper.settings.constants);
         let target = self.scene.impact.as_ref().map_or(0, |impact| impact.target);
-        let question = Question {
-            dimension: D,
-            target_mass: self.scene.bodies[target].mass(),
-        };
+        let question = Question { dimension: D, target_mass: self.scene.bodies[target].mass() };
         let evaluation = outcome::evaluate(self.comm, &particles, &question);
         self.stepper.phases.add(Phase::Outcome, start);
         evaluation
@@ -387,7 +384,10 @@ impl<'a, const D: usize> Run<'a, D> {
     fn describe(&self) -> String {
         let state = &self.state;
         let drift = state.conservation.energy_drift();
-        format!("t {:.3e} s, step {}, dt {:.2e} s, energy drift {drift:.1e}", state.time, state.counters.steps, state.dt)
+        format!(
+            "t {:.3e} s, step {}, dt {:.2e} s, energy drift {drift:.1e}",
+            state.time, state.counters.steps, state.dt
+        )
     }
 
     fn finish(mut self) -> Result<RunReport> {
