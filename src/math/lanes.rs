@@ -44,6 +44,7 @@ pub fn width() -> Width {
 /// # Safety
 /// Every method may only run on a processor with the instruction set of the implementing type; `read_quad` further reads
 /// four numbers behind each of the eight offsets.
+#[allow(clippy::missing_safety_doc)]
 pub unsafe trait Lanes: Copy {
     type Mask: Copy;
     unsafe fn splat(x: f64) -> Self;

@@ -79,9 +79,8 @@ impl<L: Lanes> Side<L> {
     #[inline(always)]
     fn stress<F: Form>(&self, from: usize) -> [L; 6] {
         let mut s = [self.words[from]; 6];
-        for k in 0..F::LAYOUT.tensor_words() {
-            s[k] = self.words[from + k];
-        }
+        let words = F::LAYOUT.tensor_words();
+        s[..words].copy_from_slice(&self.words[from..from + words]);
         s
     }
 }
@@ -117,9 +116,7 @@ pub unsafe fn sum_rows<L: Lanes, F: Form, const D: usize>(
                 let mut j = Side { words: [L::splat(0.0); 24] };
                 for quad in 0..F::LAYOUT.words().div_ceil(4) {
                     let four = L::read_quad(base.add(4 * quad), &offsets);
-                    for k in 0..4 {
-                        j.words[4 * quad + k] = four[k];
-                    }
+                    j.words[4 * quad..4 * quad + 4].copy_from_slice(&four);
                 }
                 interact::<L, F, D>(&i, &j, fixed, &mut sums);
             }

@@ -55,8 +55,8 @@ const WANTS_STOP: u32 = 2;
 /// Runs a scene. Collective.
 pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<RunReport> {
     match scene.dimension {
-        2 => Run::<2>::open(scene, options, comm)?.to_the_end(),
-        _ => Run::<3>::open(scene, options, comm)?.to_the_end(),
+        2 => Run::<2>::open(scene, options, comm)?.run_to_end(),
+        _ => Run::<3>::open(scene, options, comm)?.run_to_end(),
     }
 }
 
@@ -170,7 +170,7 @@ impl<'a, const D: usize> Run<'a, D> {
         })
     }
 
-    fn to_the_end(mut self) -> Result<RunReport> {
+    fn run_to_end(mut self) -> Result<RunReport> {
         let mut progress = Progress::new(&self.options.directory.display().to_string(), self.comm.is_root());
         if self.state.counters.steps == 0 {
             self.write_history()?;
