@@ -34,7 +34,7 @@ pub struct Summary {
     pub wall_seconds: f64,
     /// Waits inside MPI, summed over ranks.
     pub mpi_wait_seconds: f64,
-    /// User and system time of all threads of all ranks, less the MPI waits, which spin.
+    /// User and system time of all threads of all ranks, less what MPI waits spun away.
     pub core_seconds: f64,
     /// Directed, inside the support.
     pub pair_interactions: u64,

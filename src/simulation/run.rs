@@ -71,6 +71,7 @@ struct Run<'a, const D: usize> {
     started: Instant,
     cpu_at_start: f64,
     wait_at_start: f64,
+    wait_cpu_at_start: f64,
     saved: Instant,
     fault: Fault,
     evaluation: Option<Evaluation>,
@@ -82,6 +83,7 @@ impl<'a, const D: usize> Run<'a, D> {
     fn open(scene: &'a Scene, options: &'a Options, comm: &'a Comm) -> Result<Self> {
         let started = Instant::now();
         let (cpu_at_start, wait_at_start) = (resources::cpu_seconds(), comm.wait_seconds());
+        let wait_cpu_at_start = comm.wait_cpu_seconds();
         if comm.is_root() {
             super::log::to_file(&options.directory.join("log.txt"), options.resume)?;
         }
@@ -142,6 +144,7 @@ impl<'a, const D: usize> Run<'a, D> {
             started,
             cpu_at_start,
             wait_at_start,
+            wait_cpu_at_start,
             saved,
             fault,
             evaluation: None,
@@ -357,7 +360,8 @@ impl<'a, const D: usize> Run<'a, D> {
         let counters = &self.stepper.counters;
         let micro = |seconds: f64| (1e6 * seconds) as i64;
         let mut sums = [
-            micro(resources::cpu_seconds() - self.cpu_at_start),
+            micro(resources::cpu_seconds() - self.cpu_at_start)
+                - micro(self.comm.wait_cpu_seconds() - self.wait_cpu_at_start),
             micro(self.comm.wait_seconds() - self.wait_at_start),
             counters.pairs as i64,
             counters.updates as i64,
