@@ -30,6 +30,8 @@ pub struct Comm {
     waited_cpu: Cell<f64>,
     sent: Cell<u64>,
     pieces: RefCell<Vec<ffi::MPI_Request>>,
+    /// What this rank gives to a reduction; kept, as steps do not allocate.
+    mine: RefCell<Vec<u64>>,
 }
 
 static ABORT_ON_PANIC: AtomicBool = AtomicBool::new(false);
@@ -62,6 +64,7 @@ impl Comm {
             waited_cpu: Cell::new(0.0),
             sent: Cell::new(0),
             pieces: RefCell::new(Vec::new()),
+            mine: RefCell::new(Vec::new()),
         }
     }
 
@@ -139,12 +142,20 @@ impl Comm {
         if self.size == 1 || values.is_empty() {
             return;
         }
-        let mut out = values.to_vec();
+        let mut mine = self.mine.borrow_mut();
+        mine.clear();
+        mine.extend_from_slice(bytemuck::cast_slice(values));
         // SAFETY: both buffers hold `values.len()` elements of the type named.
         self.waiting(|| unsafe {
-            ffi::MPI_Allreduce(values.as_ptr().cast(), out.as_mut_ptr().cast(), values.len() as i32, kind, op, self.raw)
+            ffi::MPI_Allreduce(
+                mine.as_ptr().cast(),
+                values.as_mut_ptr().cast(),
+                values.len() as i32,
+                kind,
+                op,
+                self.raw,
+            )
         });
-        values.copy_from_slice(&out);
     }
 
     /// The values of all ranks, in rank order; every rank gives equally many.
