@@ -85,6 +85,9 @@ fn read_scene(args: &Args, comm: &Comm) -> Result<Scene> {
 
 /// Directory, threads, signals.
 fn prepare(args: &Args, options: &Options, comm: &Comm) -> Result<()> {
+    if options.resume {
+        simulation::directory::require_checkpoint(&options.directory, comm)?;
+    }
     simulation::directory::prepare(&options.directory, options.resume, comm)?;
     let cores = workers::usable_cores();
     let threads = match args.threads {

@@ -433,6 +433,7 @@ impl<'a, const D: usize> Run<'a, D> {
         if self.scene.output.snapshot_interval.is_some() {
             self.write_snapshot()?;
         }
+        self.write_checkpoint()?;
         self.report(Ended::Finished)
     }
 
