@@ -31,7 +31,17 @@ impl Launch {
     /// `program` with `args` under `mpirun -n ranks`.
     pub fn new<A: AsRef<std::ffi::OsStr>>(ranks: usize, program: impl AsRef<Path>, args: &[A]) -> Self {
         let mut command = Command::new("mpirun");
-        command.args(["-n", &ranks.to_string(), "--bind-to", "none"]).arg(program.as_ref()).args(args);
+        command.args(["-n", &ranks.to_string(), "--bind-to", "none"]).arg(program.as_ref());
+        Self::of(command, args)
+    }
+
+    /// `program` with `args`, by itself.
+    pub fn alone<A: AsRef<std::ffi::OsStr>>(program: impl AsRef<Path>, args: &[A]) -> Self {
+        Self::of(Command::new(program.as_ref()), args)
+    }
+
+    fn of<A: AsRef<std::ffi::OsStr>>(mut command: Command, args: &[A]) -> Self {
+        command.args(args);
         command.env("OMPI_ALLOW_RUN_AS_ROOT", "1").env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
         command.env("OMPI_MCA_rmaps_base_oversubscribe", "1");
         // One thread, as long as a test asks for nothing else: `--threads` overrules it.
