@@ -126,6 +126,9 @@ pub unsafe fn sum_rows<L: Lanes, F: Form, const D: usize>(
 }
 
 /// Every term of one set of eight pairs.
+///
+/// # Safety
+/// As for [`Lanes`].
 #[inline(always)]
 unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, fixed: [L; 3], sums: &mut Sums<L>) {
     unsafe {
@@ -224,6 +227,10 @@ unsafe fn slope<L: Lanes, F: Form, const D: usize>(r: L, g: L) -> L {
     }
 }
 
+/// Sums of one row, from eight lanes to one.
+///
+/// # Safety
+/// As for [`Lanes`].
 #[inline(always)]
 unsafe fn fold<L: Lanes, F: Form, const D: usize>(sums: &Sums<L>) -> RowSums {
     unsafe {
