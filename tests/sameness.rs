@@ -254,7 +254,7 @@ pressure = "1e5 Pa"
 smoothing_length = { follows = "density", smallest = 0.5, largest = 4.0 }
 
 [run]
-until = "3 ms"
+until = "6 ms"
 
 [output]
 picture = false
