@@ -40,9 +40,9 @@ pub fn history_columns(effects: &[Box<dyn MaterialEffect>], scene: &Scene) -> Ve
         ("angular_momentum_z", "kg m^2/s"),
     ];
     let planar = scene.dimension == 2;
-    let kept = fixed.iter().filter(|(name, _)| {
-        !planar || !["momentum_z", "angular_momentum_x", "angular_momentum_y"].contains(name)
-    });
+    let kept = fixed
+        .iter()
+        .filter(|(name, _)| !planar || !["momentum_z", "angular_momentum_x", "angular_momentum_y"].contains(name));
     let own = |(name, unit): &(&str, &str)| (name.to_string(), unit.to_string());
     let diagnostics = effects.iter().flat_map(|effect| effect.diagnostics());
     kept.map(own).chain(diagnostics.map(|d| (d.name.to_string(), d.unit.to_string()))).collect()

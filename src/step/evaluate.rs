@@ -196,7 +196,8 @@ impl Physics<'_> {
         let ids = chunk.view(self.core.id);
         let first = |bad: &dyn Fn(usize) -> bool| (0..n).filter(|&k| bad(k)).map(|k| ids.get(k)).min();
         if !acceleration_finite {
-            let a = |k: usize| !workspace.acceleration[k * dimension..(k + 1) * dimension].iter().all(|a| a.is_finite());
+            let a =
+                |k: usize| !workspace.acceleration[k * dimension..(k + 1) * dimension].iter().all(|a| a.is_finite());
             return first(&a).map(|id| (id, "acceleration"));
         }
         for (slot, &(value, _)) in self.registry.integrated.iter().enumerate() {
@@ -204,7 +205,8 @@ impl Physics<'_> {
             let block = &workspace.new_rates[slot][..n * entry.width];
             if !finite(block) {
                 let width = entry.width;
-                let bad = |k: usize| !block[k * width..(k + 1) * width].iter().all(|w| f64::from_bits(w.get()).is_finite());
+                let bad =
+                    |k: usize| !block[k * width..(k + 1) * width].iter().all(|w| f64::from_bits(w.get()).is_finite());
                 return first(&bad).map(|id| (id, entry.info.name));
             }
         }

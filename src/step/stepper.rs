@@ -296,8 +296,12 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let first = all.chunks_exact(2).min_by_key(|w| w[0]).unwrap_or(&[0, 0]);
         let name = names.get(first[1] as usize).copied().unwrap_or("state");
         let id = ParticleId(first[0]);
-        Error::new(format!("the rate of {name} is no number"))
-            .at(format!("step {}, particle {} of body {}", self.counters.steps, id.site(), id.body()))
+        Error::new(format!("the rate of {name} is no number")).at(format!(
+            "step {}, particle {} of body {}",
+            self.counters.steps,
+            id.site(),
+            id.body()
+        ))
     }
 
     fn find_chunks(&mut self) {
@@ -337,7 +341,8 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let lines = layout.stride() / 8;
         self.records.resize((self.neighbourhood.local().count + 1) * lines, Line([0.0; 8]));
         let padding = self.neighbourhood.local().count * layout.stride();
-        layout.padding(&mut bytemuck::cast_slice_mut::<Line, f64>(&mut self.records)[padding..padding + layout.stride()]);
+        layout
+            .padding(&mut bytemuck::cast_slice_mut::<Line, f64>(&mut self.records)[padding..padding + layout.stride()]);
     }
 }
 
