@@ -27,6 +27,7 @@ pub struct Comm {
     /// Exchanges made so far: each gets a tag of its own.
     exchanges: Cell<i32>,
     waited: Cell<f64>,
+    waited_cpu: Cell<f64>,
     sent: Cell<u64>,
     pieces: RefCell<Vec<ffi::MPI_Request>>,
 }
@@ -57,6 +58,7 @@ impl Comm {
             round: Cell::new(0),
             exchanges: Cell::new(0),
             waited: Cell::new(0.0),
+            waited_cpu: Cell::new(0.0),
             sent: Cell::new(0),
             pieces: RefCell::new(Vec::new()),
         }
@@ -91,15 +93,21 @@ impl Comm {
         self.waited.get()
     }
 
+    /// Processor time of those waits, s: they spin where there are cores enough, and yield where there are not.
+    pub fn wait_cpu_seconds(&self) -> f64 {
+        self.waited_cpu.get()
+    }
+
     /// Bytes this rank has sent point to point so far.
     pub fn bytes_sent(&self) -> u64 {
         self.sent.get()
     }
 
     fn waiting<T>(&self, f: impl FnOnce() -> T) -> T {
-        let start = Instant::now();
+        let (start, cpu) = (Instant::now(), thread_cpu_seconds());
         let out = f();
         self.waited.set(self.waited.get() + start.elapsed().as_secs_f64());
+        self.waited_cpu.set(self.waited_cpu.get() + thread_cpu_seconds() - cpu);
         out
     }
 
@@ -249,6 +257,17 @@ impl Comm {
     pub fn finish(mut self) {
         self.universe.take();
     }
+}
+
+/// Processor time of the calling thread, s.
+fn thread_cpu_seconds() -> f64 {
+    // SAFETY: fills the structure it is given.
+    let time = unsafe {
+        let mut time: libc::timespec = std::mem::zeroed();
+        libc::clock_gettime(libc::CLOCK_THREAD_CPUTIME_ID, &mut time);
+        time
+    };
+    time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
 }
 
 /// A fixed pattern of messages, sent again and again: persistent requests over two buffers that it owns.

@@ -171,11 +171,8 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
         };
 
         // Mean of both kernels' slopes, times V_j.
-        let slope_of = |g: L| {
-            let g2 = g.mul(g);
-            F::Kernel::slope_lanes(r.mul(g)).mul(if D == 2 { g2.mul(g) } else { g2.mul(g2) })
-        };
-        pair.slope = slope_of(g_i).add(slope_of(g_j)).mul(norm).mul(j.at(layout.volume())).mul(r_inverse);
+        let slopes = slope::<L, F, D>(r, g_i).add(slope::<L, F, D>(r, g_j));
+        pair.slope = slopes.mul(norm).mul(j.at(layout.volume())).mul(r_inverse);
         for a in 0..D {
             pair.gradient[a] = pair.slope.mul(x[a]);
         }
@@ -221,13 +218,23 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
     }
 }
 
+/// h^-(d+1) times the kernel's slope, from r and 1/h.
+#[inline(always)]
+unsafe fn slope<L: Lanes, F: Form, const D: usize>(r: L, g: L) -> L {
+    unsafe {
+        let g2 = g.mul(g);
+        F::Kernel::slope_lanes(r.mul(g)).mul(if D == 2 { g2.mul(g) } else { g2.mul(g2) })
+    }
+}
+
 #[inline(always)]
 unsafe fn fold<L: Lanes, F: Form, const D: usize>(sums: &Sums<L>) -> RowSums {
     unsafe {
         let count = D + D * D + 1 + if F::TERMS.correction { F::LAYOUT.tensor_words() } else { 0 };
         let mut flat = [0.0; MOST_SUMS];
         for group in 0..count.div_ceil(8) {
-            let v = std::array::from_fn(|k| sums.folded[8 * group + k]);
+            let mut v = [sums.approach; 8];
+            v.copy_from_slice(&sums.folded[8 * group..8 * group + 8]);
             flat[8 * group..8 * group + 8].copy_from_slice(&L::fold(v));
         }
         let mut out = RowSums { approach: sums.approach.fold_max(), neighbours: sums.neighbours, ..RowSums::default() };

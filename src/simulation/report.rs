@@ -125,7 +125,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
     comm.all_sum(&mut sums);
     let [particles, ghosts, memory, list, bytes, threads] = sums.map(|x| x as f64);
     let spent = &report.spent;
-    let core_seconds = (spent.cpu - spent.wait).max(1e-9);
+    let core_seconds = spent.cpu.max(1e-9);
     let conservation = &state.conservation;
     Summary {
         title: report.scene.title.clone(),

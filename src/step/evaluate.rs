@@ -164,7 +164,11 @@ impl Physics<'_> {
             let a = &workspace.acceleration[k * dimension..(k + 1) * dimension];
             let a2: f64 = a.iter().map(|a| a * a).sum();
             let alpha_beta = self.packer.viscosity(body);
-            let cfl = time_step::cfl(self.cfl, h, sound_speed.get(k), alpha_beta, workspace.sums[k].approach);
+            let sums = &workspace.sums[k];
+            // A particle alone sends no signal to anyone, however hot it is.
+            let alone = sums.neighbours == 0;
+            let cfl = time_step::cfl(self.cfl, h, sound_speed.get(k), alpha_beta, sums.approach);
+            let cfl = if alone { f64::INFINITY } else { cfl };
             let acceleration = time_step::acceleration(self.cfl, h, a2);
             if cfl < best.0 {
                 best = (cfl, k, Limit::CFL);

@@ -105,10 +105,12 @@ impl<'c, const D: usize> Stepper<'c, D> {
         }
     }
 
-    /// New particles: distributes them, initialises their effects and evaluates once. Returns the first step.
+    /// New particles: initialises their effects, distributes them and evaluates once. Returns the first step.
     pub fn start(&mut self) -> Result<Agreed> {
-        self.rebuild(true);
+        // Smoothing lengths, on which lists stand, may be made by an effect.
+        self.find_chunks();
         self.material_pass(|physics, chunk, workspace| physics.initialise(chunk, workspace));
+        self.rebuild(true);
         self.evaluate(0.0);
         self.agree(0)
     }
@@ -298,6 +300,11 @@ impl<'c, const D: usize> Stepper<'c, D> {
             .at(format!("step {}, particle {} of body {}", self.counters.steps, id.site(), id.body()))
     }
 
+    fn find_chunks(&mut self) {
+        self.all.clear();
+        self.all.extend(0..self.columns.len().div_ceil(CHUNK) as u32);
+    }
+
     /// New lists; `fresh` from the present positions, otherwise from those of the last build.
     fn rebuild(&mut self, fresh: bool) {
         let start = Instant::now();
@@ -313,9 +320,8 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let start = Instant::now();
         self.neighbourhood.build_list();
         self.phases.add(Phase::Lists, start);
+        self.find_chunks();
         let count = self.columns.len();
-        self.all.clear();
-        self.all.extend(0..count.div_ceil(CHUNK) as u32);
         self.interior.clear();
         self.boundary.clear();
         let mut rest = self.neighbourhood.list.boundary.iter().peekable();
