@@ -312,7 +312,7 @@ unsafe impl Lanes for Avx2 {
 
 /// One register of eight lanes, AVX-512.
 #[derive(Clone, Copy)]
-pub struct Avx512(__m512d);
+pub struct Avx512(pub __m512d);
 
 // SAFETY: intrinsics of AVX-512F, which the entry function enables.
 unsafe impl Lanes for Avx512 {

@@ -83,7 +83,7 @@ pub struct Stepper<'c, const D: usize> {
 impl<'c, const D: usize> Stepper<'c, D> {
     /// Takes over particles wherever they are; [`Stepper::start`] or [`Stepper::resume`] comes next.
     pub fn new(comm: &'c Comm, columns: Columns, settings: StepSettings) -> Self {
-        let workers = Workers::new(|| Workspace::new(&columns.registry));
+        let workers = Workers::new(|| Workspace::new(&columns.registry, settings.effects.len()));
         let internal_energy = columns.registry.find("internal_energy");
         let neighbourhood = Neighbourhood::new(&columns.registry, &settings);
         Self {
@@ -167,6 +167,11 @@ impl<'c, const D: usize> Stepper<'c, D> {
         });
         let limit = limits.fold(Limit::NONE, Limit::tighter);
         (limit, self.reason_name(limit.reason))
+    }
+
+    /// Largest load of a rank over the mean load, over the run; collective.
+    pub fn imbalance(&self) -> f64 {
+        self.neighbourhood.imbalance(&self.phases, &self.counters, self.comm)
     }
 
     pub fn reason_name(&self, reason: usize) -> &'static str {
