@@ -92,7 +92,9 @@ impl Progress<'_> {
 impl<'a> Search<'a> {
     fn new(scene: &'a Scene) -> Result<Self> {
         let (Some(threshold), Some(impact)) = (&scene.threshold, &scene.impact) else {
-            return Err(Error::new("a threshold is searched with impacts").at(scene.path()).allowed("an [impact] table"));
+            return Err(Error::new("a threshold is searched with impacts")
+                .at(scene.path())
+                .allowed("an [impact] table"));
         };
         let (target, projectile) = (&scene.bodies[impact.target], &scene.bodies[impact.projectile]);
         let key = format!("{}.radius", projectile.name);
@@ -379,7 +381,13 @@ impl<'a> Found<'a> {
             t.ratio_to_reference,
             t.reference
         );
-        tracing::info!("Q*_RD = {:.4e} +- {:.1e} J/kg; {} impacts, {}", t.q_star_rd, t.uncertainty_of_q_star_rd, self.impacts.len(), self.end);
+        tracing::info!(
+            "Q*_RD = {:.4e} +- {:.1e} J/kg; {} impacts, {}",
+            t.q_star_rd,
+            t.uncertainty_of_q_star_rd,
+            self.impacts.len(),
+            self.end
+        );
         tracing::info!("written to {}", directory.display());
     }
 }

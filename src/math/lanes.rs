@@ -44,6 +44,7 @@ pub fn width() -> Width {
 /// # Safety
 /// Every method may only run on a processor with the instruction set of the implementing type; `read_quad` further reads
 /// four numbers behind each of the eight offsets.
+#[allow(clippy::missing_safety_doc)]
 pub unsafe trait Lanes: Copy {
     type Mask: Copy;
     unsafe fn splat(x: f64) -> Self;
@@ -405,6 +406,9 @@ mod tests {
     use super::*;
 
     /// A sample of all operations, as bits.
+    ///
+    /// # Safety
+    /// As for [`Lanes`].
     #[inline(always)]
     unsafe fn sample<L: Lanes>(data: &[f64], offsets: &[usize; 8]) -> Vec<u64> {
         unsafe {
@@ -426,10 +430,14 @@ mod tests {
             bits
         }
     }
+    /// # Safety
+    /// As for [`sample`].
     #[target_feature(enable = "avx2,fma")]
     unsafe fn sample_avx2(data: &[f64], offsets: &[usize; 8]) -> Vec<u64> {
         unsafe { sample::<Avx2>(data, offsets) }
     }
+    /// # Safety
+    /// As for [`sample`].
     #[target_feature(enable = "avx512f,avx512vl,avx2,fma")]
     unsafe fn sample_avx512(data: &[f64], offsets: &[usize; 8]) -> Vec<u64> {
         unsafe { sample::<Avx512>(data, offsets) }

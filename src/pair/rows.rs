@@ -2,11 +2,11 @@
 //! Neighbour k of a row stands on lane k mod 8; lanes are folded in one fixed order. Rows are padded with a record that
 //! adds exact zeros.
 
+use super::Pair;
 use super::artificial_stress;
 use super::record::{Layout, Terms, Viscosity};
 use super::stress::{PairStress, add_pressure_force};
 use super::viscosity::{Inputs, viscous};
-use super::Pair;
 use crate::kernel::Shape;
 use crate::math::lanes::{LANES, Lanes};
 
@@ -79,9 +79,8 @@ impl<L: Lanes> Side<L> {
     #[inline(always)]
     fn stress<F: Form>(&self, from: usize) -> [L; 6] {
         let mut s = [self.words[from]; 6];
-        for k in 0..F::LAYOUT.tensor_words() {
-            s[k] = self.words[from + k];
-        }
+        let words = F::LAYOUT.tensor_words();
+        s[..words].copy_from_slice(&self.words[from..from + words]);
         s
     }
 }
@@ -117,9 +116,7 @@ pub unsafe fn sum_rows<L: Lanes, F: Form, const D: usize>(
                 let mut j = Side { words: [L::splat(0.0); 24] };
                 for quad in 0..F::LAYOUT.words().div_ceil(4) {
                     let four = L::read_quad(base.add(4 * quad), &offsets);
-                    for k in 0..4 {
-                        j.words[4 * quad + k] = four[k];
-                    }
+                    j.words[4 * quad..4 * quad + 4].copy_from_slice(&four);
                 }
                 interact::<L, F, D>(&i, &j, fixed, &mut sums);
             }
@@ -129,6 +126,9 @@ pub unsafe fn sum_rows<L: Lanes, F: Form, const D: usize>(
 }
 
 /// Every term of one set of eight pairs.
+///
+/// # Safety
+/// As for [`Lanes`].
 #[inline(always)]
 unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, fixed: [L; 3], sums: &mut Sums<L>) {
     unsafe {
@@ -227,6 +227,10 @@ unsafe fn slope<L: Lanes, F: Form, const D: usize>(r: L, g: L) -> L {
     }
 }
 
+/// Sums of one row, from eight lanes to one.
+///
+/// # Safety
+/// As for [`Lanes`].
 #[inline(always)]
 unsafe fn fold<L: Lanes, F: Form, const D: usize>(sums: &Sums<L>) -> RowSums {
     unsafe {

@@ -72,12 +72,11 @@ impl<'de, T: Deserialize<'de> + Default> Deserialize<'de> for Switch<T> {
 #[serde(deny_unknown_fields, default)]
 pub struct RawArtificialStress {
     factor: Number,
-    power: Number,
 }
 
 impl Default for RawArtificialStress {
     fn default() -> Self {
-        Self { factor: Number::new(0.2), power: Number::new(4.0) }
+        Self { factor: Number::new(0.2) }
     }
 }
 
@@ -157,11 +156,10 @@ pub struct Numerics {
     pub smoothing_length: SmoothingLength,
 }
 
-/// Gray, Monaghan & Swift 2001, CMAME 190, 6641: repulsion `factor` of the tension, with f^`power`.
+/// Gray, Monaghan & Swift 2001, CMAME 190, 6641: repulsion by `factor` of the tension, times f^4.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ArtificialStress {
     pub factor: f64,
-    pub power: f64,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -181,10 +179,9 @@ impl RawNumerics {
         };
         let artificial_stress = match self.artificial_stress.0 {
             None => None,
-            Some(raw) => Some(ArtificialStress {
-                factor: within("artificial_stress.factor", raw.factor, 0.0, 1.0)?,
-                power: within("artificial_stress.power", raw.power, 1.0, 16.0)?,
-            }),
+            Some(raw) => {
+                Some(ArtificialStress { factor: within("artificial_stress.factor", raw.factor, 0.0, 1.0)? })
+            }
         };
         let smoothing_length = match self.smoothing_length.0 {
             None => SmoothingLength::Constant,

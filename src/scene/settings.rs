@@ -217,10 +217,10 @@ impl RawThreshold {
         }
         let min = self.min.map(|x| positive(document, "threshold.min", x.0, x)).transpose()?;
         let max = self.max.map(|x| positive(document, "threshold.max", x.0, x)).transpose()?;
-        if let (Some(low), Some(high)) = (min, max) {
-            if low >= high {
-                return Err(document.error("threshold.min", format!("{} is not below max", Length::new(low))));
-            }
+        if let (Some(low), Some(high)) = (min, max)
+            && low >= high
+        {
+            return Err(document.error("threshold.min", format!("{} is not below max", Length::new(low))));
         }
         if self.max_impacts < 2 {
             return Err(document.error("threshold.max_impacts", "a bracket needs two impacts").allowed("2 or more"));

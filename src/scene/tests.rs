@@ -271,7 +271,7 @@ fn overrides_switch_effects() {
     )
     .unwrap();
     assert!(!scene.materials[0].has_fracture() && scene.materials[0].viscosity.is_none() && !scene.numerics.viscosity);
-    assert_eq!(scene.numerics.artificial_stress, Some(ArtificialStress { factor: 0.2, power: 4.0 }));
+    assert_eq!(scene.numerics.artificial_stress, Some(ArtificialStress { factor: 0.2 }));
 }
 
 #[test]

@@ -40,9 +40,9 @@ pub fn history_columns(effects: &[Box<dyn MaterialEffect>], scene: &Scene) -> Ve
         ("angular_momentum_z", "kg m^2/s"),
     ];
     let planar = scene.dimension == 2;
-    let kept = fixed.iter().filter(|(name, _)| {
-        !planar || !["momentum_z", "angular_momentum_x", "angular_momentum_y"].contains(name)
-    });
+    let kept = fixed
+        .iter()
+        .filter(|(name, _)| !planar || !["momentum_z", "angular_momentum_x", "angular_momentum_y"].contains(name));
     let own = |(name, unit): &(&str, &str)| (name.to_string(), unit.to_string());
     let diagnostics = effects.iter().flat_map(|effect| effect.diagnostics());
     kept.map(own).chain(diagnostics.map(|d| (d.name.to_string(), d.unit.to_string()))).collect()
@@ -147,10 +147,10 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         momentum_drift: conservation.momentum,
         angular_momentum_drift: conservation.angular_momentum,
         phases: phase_shares(stepper, comm),
-        effects: Figures::default(),
+        effects: effect_shares(stepper, comm),
         ghost_fraction: ghosts / particles,
         exchanged_bytes_per_step: bytes / state.counters.steps.max(1) as f64,
-        imbalance: stepper.neighbourhood.imbalance,
+        imbalance: stepper.imbalance(),
         list_builds: state.counters.list_builds,
         rebisections: state.counters.rebisections,
         migrated_particles: spent.migrated,
@@ -162,10 +162,27 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
 
 /// Share of each phase in the time of all ranks. Collective.
 fn phase_shares<const D: usize>(stepper: &Stepper<D>, comm: &Comm) -> Figures {
-    let mut micro: Vec<i64> = stepper.phases.seconds.iter().map(|s| (1e6 * s) as i64).collect();
+    shares(NAMES, &stepper.phases.seconds, stepper.phases.total(), comm)
+}
+
+/// Share of each effect in the same time: its part of the phases `predict_and_material` and `pairs_rates_and_correct`, where
+/// the threads of a rank work side by side. Collective.
+fn effect_shares<const D: usize>(stepper: &Stepper<D>, comm: &Comm) -> Figures {
+    let effects = &stepper.settings.effects;
+    let mut seconds = vec![0.0; effects.len()];
+    stepper.workers.collect(|workspace| {
+        seconds.iter_mut().zip(workspace.effect_seconds()).for_each(|(sum, mine)| *sum += mine);
+    });
+    seconds.iter_mut().for_each(|s| *s /= stepper.workers.threads() as f64);
+    shares(effects.iter().map(|effect| effect.name()), &seconds, stepper.phases.total(), comm)
+}
+
+/// `seconds` of all ranks over the `total` of all ranks. Collective.
+fn shares(names: impl IntoIterator<Item = &'static str>, seconds: &[f64], total: f64, comm: &Comm) -> Figures {
+    let mut micro: Vec<i64> = seconds.iter().chain([&total]).map(|s| (1e6 * s) as i64).collect();
     comm.all_sum(&mut micro);
-    let total = micro.iter().sum::<i64>().max(1) as f64;
-    Figures(NAMES.iter().zip(&micro).map(|(name, t)| (name.to_string(), *t as f64 / total)).collect())
+    let total = micro[seconds.len()].max(1) as f64;
+    Figures(names.into_iter().zip(&micro).map(|(name, t)| (name.to_string(), *t as f64 / total)).collect())
 }
 
 fn outcome_figures<const D: usize>(report: &Report<D>, outcome: &Outcome) -> Figures {

@@ -60,8 +60,8 @@ const FAILED: u32 = 3;
 /// Runs a scene. Collective.
 pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<RunReport> {
     match scene.dimension {
-        2 => Run::<2>::open(scene, options, comm)?.to_the_end(),
-        _ => Run::<3>::open(scene, options, comm)?.to_the_end(),
+        2 => Run::<2>::open(scene, options, comm)?.run_to_end(),
+        _ => Run::<3>::open(scene, options, comm)?.run_to_end(),
     }
 }
 
@@ -110,8 +110,8 @@ impl<'a, const D: usize> Run<'a, D> {
                 tracing::info!("going on from {}", saved.path.display());
                 let mut stepper = Stepper::new(comm, saved.columns, plan.settings(scene));
                 stepper.resume();
-                let mut state: RunState =
-                    serde_json::from_str(&saved.meta.json).map_err(|e| Error::new(format!("its state cannot be read: {e}")))?;
+                let mut state: RunState = serde_json::from_str(&saved.meta.json)
+                    .map_err(|e| Error::new(format!("its state cannot be read: {e}")))?;
                 (state.counters.pairs, state.counters.updates, state.counters.migrated) = (0, 0, 0);
                 (stepper, Some(state))
             }
@@ -177,7 +177,7 @@ impl<'a, const D: usize> Run<'a, D> {
         })
     }
 
-    fn to_the_end(mut self) -> Result<RunReport> {
+    fn run_to_end(mut self) -> Result<RunReport> {
         let mut progress = Progress::new(&self.options.directory.display().to_string(), self.comm.is_root());
         if self.state.counters.steps == 0 {
             self.write_history();
@@ -281,10 +281,7 @@ impl<'a, const D: usize> Run<'a, D> {
         let core = self.stepper.settings.core;
         let particles = outcome::particles(&self.stepper.columns, &core, &self.stepper.settings.constants);
         let target = self.scene.impact.as_ref().map_or(0, |impact| impact.target);
-        let question = Question {
-            dimension: D,
-            target_mass: self.scene.bodies[target].mass(),
-        };
+        let question = Question { dimension: D, target_mass: self.scene.bodies[target].mass() };
         let evaluation = outcome::evaluate(self.comm, &particles, &question);
         self.stepper.phases.add(Phase::Outcome, start);
         evaluation
@@ -436,6 +433,7 @@ impl<'a, const D: usize> Run<'a, D> {
         if self.scene.output.snapshot_interval.is_some() {
             self.write_snapshot()?;
         }
+        self.write_checkpoint()?;
         self.report(Ended::Finished)
     }
 

@@ -3,6 +3,7 @@
 
 use std::cell::Cell;
 use std::ops::Range;
+use std::time::{Duration, Instant};
 
 use super::integrator::{self, NewRates};
 use super::pack::{Packer, read_stress};
@@ -26,10 +27,12 @@ pub struct Workspace {
     bad: Option<(ParticleId, &'static str)>,
     /// Directed pairs inside the support.
     pairs: u64,
+    /// Time spent in each effect so far.
+    effects: Vec<Cell<Duration>>,
 }
 
 impl Workspace {
-    pub fn new(registry: &Registry) -> Self {
+    pub fn new(registry: &Registry, effects: usize) -> Self {
         let block = |&(value, _): &(usize, usize)| vec![Cell::new(0); CHUNK * registry.entries[value].width];
         let motion = Motion { velocity_gradient: Mat3::zeros(), heating: 0.0 };
         Self {
@@ -41,6 +44,7 @@ impl Workspace {
             limit: Limit::NONE,
             bad: None,
             pairs: 0,
+            effects: vec![Cell::default(); effects],
         }
     }
 
@@ -49,6 +53,11 @@ impl Workspace {
         let out = (self.limit, self.bad, self.pairs);
         (self.limit, self.bad, self.pairs) = (Limit::NONE, None, 0);
         out
+    }
+
+    /// Seconds that this thread has spent in each effect so far.
+    pub fn effect_seconds(&self) -> impl Iterator<Item = f64> {
+        self.effects.iter().map(|time| time.get().as_secs_f64())
     }
 }
 
@@ -69,17 +78,17 @@ impl Physics<'_> {
         integrator::predict(chunk, self.registry, self.core, dt);
         self.fill_bodies(chunk, workspace);
         let local = self.local(chunk, workspace, dt);
-        self.effects.iter().for_each(|effect| effect.admit(&local));
-        self.effects.iter().for_each(|effect| effect.update(&local));
+        self.each_effect(workspace, |effect| effect.admit(&local));
+        self.each_effect(workspace, |effect| effect.update(&local));
     }
 
     /// Calls `initialise` and one first `update` on new particles.
     pub fn initialise(&self, chunk: &Chunk, workspace: &mut Workspace) {
         self.fill_bodies(chunk, workspace);
         let local = self.local(chunk, workspace, 0.0);
-        self.effects.iter().for_each(|effect| effect.initialise(&local));
-        self.effects.iter().for_each(|effect| effect.admit(&local));
-        self.effects.iter().for_each(|effect| effect.update(&local));
+        self.each_effect(workspace, |effect| effect.initialise(&local));
+        self.each_effect(workspace, |effect| effect.admit(&local));
+        self.each_effect(workspace, |effect| effect.update(&local));
     }
 
     /// Sums the rows of a chunk and corrects its state with the rates found.
@@ -91,18 +100,29 @@ impl Physics<'_> {
             block.iter().for_each(|word| word.set(0));
         }
         let local = self.local(chunk, workspace, dt);
-        self.effects.iter().for_each(|effect| effect.rates(&local));
+        self.each_effect(workspace, |effect| effect.rates(&local));
         let limit = self.step_limit(&local, chunk, workspace);
         let bad = self.first_bad(chunk, workspace);
         let new = NewRates { acceleration: &workspace.acceleration, integrated: &workspace.new_rates };
         integrator::correct(chunk, self.registry, self.core, &new, dt);
         let local = self.local(chunk, workspace, dt);
-        self.effects.iter().for_each(|effect| effect.admit(&local));
+        self.each_effect(workspace, |effect| effect.admit(&local));
         workspace.limit = workspace.limit.tighter(limit);
         workspace.bad = match (workspace.bad, bad) {
             (Some(a), Some(b)) => Some(if a.0 <= b.0 { a } else { b }),
             (a, b) => a.or(b),
         };
+    }
+
+    /// Calls every effect in its turn and notes the time that it took.
+    fn each_effect(&self, workspace: &Workspace, mut act: impl FnMut(&dyn MaterialEffect)) {
+        let mut start = Instant::now();
+        for (effect, time) in self.effects.iter().zip(&workspace.effects) {
+            act(effect.as_ref());
+            let end = Instant::now();
+            time.set(time.get() + (end - start));
+            start = end;
+        }
     }
 
     fn fill_bodies(&self, chunk: &Chunk, workspace: &mut Workspace) {
@@ -177,11 +197,13 @@ impl Physics<'_> {
                 best = (acceleration, k, Limit::ACCELERATION);
             }
         }
-        for (number, effect) in self.effects.iter().enumerate() {
+        let mut reason = Limit::EFFECTS;
+        self.each_effect(workspace, |effect| {
             if let Some(limit) = effect.step_limit(local).filter(|limit| limit.dt < best.0) {
-                best = (limit.dt, limit.particle, Limit::EFFECTS + number);
+                best = (limit.dt, limit.particle, reason);
             }
-        }
+            reason += 1;
+        });
         let position = chunk.view(self.core.position).get(best.1);
         Limit { dt: best.0, reason: best.2, id: chunk.view(self.core.id).get(best.1), position: position.into() }
     }
@@ -196,7 +218,8 @@ impl Physics<'_> {
         let ids = chunk.view(self.core.id);
         let first = |bad: &dyn Fn(usize) -> bool| (0..n).filter(|&k| bad(k)).map(|k| ids.get(k)).min();
         if !acceleration_finite {
-            let a = |k: usize| !workspace.acceleration[k * dimension..(k + 1) * dimension].iter().all(|a| a.is_finite());
+            let a =
+                |k: usize| !workspace.acceleration[k * dimension..(k + 1) * dimension].iter().all(|a| a.is_finite());
             return first(&a).map(|id| (id, "acceleration"));
         }
         for (slot, &(value, _)) in self.registry.integrated.iter().enumerate() {
@@ -204,7 +227,8 @@ impl Physics<'_> {
             let block = &workspace.new_rates[slot][..n * entry.width];
             if !finite(block) {
                 let width = entry.width;
-                let bad = |k: usize| !block[k * width..(k + 1) * width].iter().all(|w| f64::from_bits(w.get()).is_finite());
+                let bad =
+                    |k: usize| !block[k * width..(k + 1) * width].iter().all(|w| f64::from_bits(w.get()).is_finite());
                 return first(&bad).map(|id| (id, entry.info.name));
             }
         }

@@ -20,14 +20,15 @@ const FIRST_UPDATE_COST: f64 = 30.0;
 pub struct Neighbourhood<const D: usize> {
     decomposition: Option<Decomposition<D>>,
     pub list: NeighbourList<D>,
-    /// Largest load of a rank over the mean, at the last balance.
-    pub imbalance: f64,
+    /// Imbalance of each list so far times the evaluations made with it, and these evaluations.
+    imbalance_so_far: (f64, u64),
+    /// Evaluations with the present list.
+    evaluations: u64,
     handles: Handles,
     core: Core,
     smoothing_length: Option<(Column<f64>, Column<f64>)>,
     /// List radius over smoothing length.
     reach: f64,
-    /// Cells of the lattice are as wide as the smallest list radius of the scene.
     lattice: Lattice,
     words: usize,
     costs: Vec<u32>,
@@ -37,16 +38,17 @@ impl<const D: usize> Neighbourhood<D> {
     pub fn new(registry: &Registry, settings: &StepSettings) -> Self {
         let core = settings.core;
         let reach = SUPPORT * (1.0 + settings.skin);
-        let smallest = settings.constants.iter().map(|body| body.smoothing_length).fold(f64::INFINITY, f64::min);
+        let smoothing_length = registry.find("smoothing_length").zip(registry.find("build_smoothing_length"));
         Self {
             decomposition: None,
             list: NeighbourList::default(),
-            imbalance: 1.0,
+            imbalance_so_far: (0.0, 0),
+            evaluations: 0,
             handles: Handles { id: core.id, position: core.position, build_position: core.build_position },
             core,
-            smoothing_length: registry.find("smoothing_length").zip(registry.find("build_smoothing_length")),
+            smoothing_length,
             reach,
-            lattice: Lattice::new(reach * smallest),
+            lattice: lattice(reach, &settings.constants, smoothing_length.is_some()),
             words: settings.pair_loop.layout.words(),
             costs: Vec::new(),
         }
@@ -127,39 +129,63 @@ impl<const D: usize> Neighbourhood<D> {
         if comm.size() == 1 || self.decomposition.is_none() {
             return false;
         }
-        let own = self.update_cost(phases, counters);
-        self.costs.clear();
-        self.costs.extend(self.list.offsets.windows(2).map(|row| ((row[1] - row[0]) as f64 + own) as u32));
-        let mine: u64 = self.costs.iter().map(|&cost| cost as u64).sum();
-        let mut most = [mine as f64];
-        comm.all_max(&mut most);
-        let mut total = [mine as i64];
-        comm.all_sum(&mut total);
-        self.imbalance = most[0] * comm.size() as f64 / total[0] as f64;
-        let unbalanced = self.imbalance > 1.0 + TOLERATED_IMBALANCE;
+        let own = self.update_cost(phases, counters, comm);
+        let imbalance = self.imbalance_of_list(own, comm);
+        self.imbalance_so_far.0 += imbalance * self.evaluations as f64;
+        self.imbalance_so_far.1 += self.evaluations;
+        self.evaluations = 0;
+        let unbalanced = imbalance > 1.0 + TOLERATED_IMBALANCE;
         if unbalanced {
-            let costs = std::mem::take(&mut self.costs);
+            let mut costs = std::mem::take(&mut self.costs);
+            costs.clear();
+            costs.extend(self.list.offsets.windows(2).map(|row| ((row[1] - row[0]) as f64 + own) as u32));
             self.parts_mut().bisect(columns, &costs, comm);
             self.costs = costs;
         }
         unbalanced
     }
 
-    /// Cost of a particle's own update in list entries.
-    fn update_cost(&self, phases: &Phases, counters: &Counters) -> f64 {
+    /// Largest load of a rank over the mean load: the mean over all evaluations so far, each with the planes that it was
+    /// made with. Collective.
+    pub fn imbalance(&self, phases: &Phases, counters: &Counters, comm: &Comm) -> f64 {
+        let now = self.imbalance_of_list(self.update_cost(phases, counters, comm), comm);
+        let (sum, evaluations) = self.imbalance_so_far;
+        (sum + now * self.evaluations as f64) / (evaluations + self.evaluations).max(1) as f64
+    }
+
+    /// The same for the present list, where the update of a particle costs `own` entries. Collective.
+    fn imbalance_of_list(&self, own: f64, comm: &Comm) -> f64 {
+        let (entries, particles) = self.list_size();
+        let mine = entries + own * particles;
+        let (mut most, mut total) = ([mine], [mine as i64]);
+        comm.all_max(&mut most);
+        comm.all_sum(&mut total);
+        most[0] * comm.size() as f64 / total[0].max(1) as f64
+    }
+
+    /// Entries and rows of the list.
+    fn list_size(&self) -> (f64, f64) {
+        (*self.list.offsets.last().unwrap_or(&0) as f64, (self.list.offsets.len() - 1) as f64)
+    }
+
+    /// Cost of a particle's own update in list entries, from the time that all ranks took so far: what disturbs one of them
+    /// must not count as load. Collective.
+    fn update_cost(&self, phases: &Phases, counters: &Counters, comm: &Comm) -> f64 {
         let seconds = |phase: Phase| phases.seconds[phase as usize];
-        let pairs = seconds(Phase::Pairs);
-        let entries = *self.list.offsets.last().unwrap_or(&0) as f64;
+        let update = seconds(Phase::Predict) + seconds(Phase::Pack) + seconds(Phase::Watch);
+        let (entries, particles) = self.list_size();
+        let mut sums = [1e6 * update, 1e6 * seconds(Phase::Pairs), entries, particles].map(|x| x as i64);
+        comm.all_sum(&mut sums);
+        let [update, pairs, entries, particles] = sums.map(|x| x as f64);
         if counters.steps < 10 || pairs <= 0.0 || entries == 0.0 {
             return FIRST_UPDATE_COST;
         }
-        let particles = (self.list.offsets.len() - 1) as f64;
-        let update = (seconds(Phase::Predict) + seconds(Phase::Pack) + seconds(Phase::Watch)) / particles;
-        (update / (pairs / entries)).clamp(1.0, 200.0)
+        ((update / particles) / (pairs / entries)).clamp(1.0, 200.0)
     }
 
     /// Sends the records of boundary particles on their way.
     pub fn send(&mut self, records: &[f64], stride: usize, comm: &Comm) {
+        self.evaluations += 1;
         let words = self.words;
         let Decomposition { ghosts, local, .. } = self.parts_mut();
         let outgoing = ghosts.exchange.outgoing().chunks_exact_mut(words);
@@ -191,4 +217,17 @@ impl<const D: usize> Neighbourhood<D> {
     pub fn ghosts(&self) -> usize {
         self.local().ghosts()
     }
+}
+
+/// Cells of one level are just as wide as the list radius of the body with the most particles: a level that missed it by
+/// little would hold its particles in cells twice as wide, with eight times the candidates. The smallest body begins at
+/// level 0. Where smoothing lengths vary, a little expansion must not lift particles to the next level either.
+fn lattice(reach: f64, constants: &[BodyConstants], varies: bool) -> Lattice {
+    let smallest = constants.iter().map(|body| body.smoothing_length).fold(f64::INFINITY, f64::min);
+    let largest_body = constants.iter().max_by_key(|body| body.particles).expect("a scene has bodies");
+    let mut side = largest_body.smoothing_length * if varies { 1.05 } else { 1.0 };
+    while side > smallest {
+        side *= 0.5;
+    }
+    Lattice::new(reach * side)
 }

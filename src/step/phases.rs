@@ -46,6 +46,10 @@ impl Phases {
         out
     }
 
+    pub fn total(&self) -> f64 {
+        self.seconds.iter().sum()
+    }
+
     pub fn add(&mut self, phase: Phase, since: Instant) {
         self.seconds[phase as usize] += since.elapsed().as_secs_f64();
     }

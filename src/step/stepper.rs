@@ -83,7 +83,7 @@ pub struct Stepper<'c, const D: usize> {
 impl<'c, const D: usize> Stepper<'c, D> {
     /// Takes over particles wherever they are; [`Stepper::start`] or [`Stepper::resume`] comes next.
     pub fn new(comm: &'c Comm, columns: Columns, settings: StepSettings) -> Self {
-        let workers = Workers::new(|| Workspace::new(&columns.registry));
+        let workers = Workers::new(|| Workspace::new(&columns.registry, settings.effects.len()));
         let internal_energy = columns.registry.find("internal_energy");
         let neighbourhood = Neighbourhood::new(&columns.registry, &settings);
         Self {
@@ -167,6 +167,11 @@ impl<'c, const D: usize> Stepper<'c, D> {
         });
         let limit = limits.fold(Limit::NONE, Limit::tighter);
         (limit, self.reason_name(limit.reason))
+    }
+
+    /// Largest load of a rank over the mean load, over the run; collective.
+    pub fn imbalance(&self) -> f64 {
+        self.neighbourhood.imbalance(&self.phases, &self.counters, self.comm)
     }
 
     pub fn reason_name(&self, reason: usize) -> &'static str {
@@ -296,8 +301,12 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let first = all.chunks_exact(2).min_by_key(|w| w[0]).unwrap_or(&[0, 0]);
         let name = names.get(first[1] as usize).copied().unwrap_or("state");
         let id = ParticleId(first[0]);
-        Error::new(format!("the rate of {name} is no number"))
-            .at(format!("step {}, particle {} of body {}", self.counters.steps, id.site(), id.body()))
+        Error::new(format!("the rate of {name} is no number")).at(format!(
+            "step {}, particle {} of body {}",
+            self.counters.steps,
+            id.site(),
+            id.body()
+        ))
     }
 
     fn find_chunks(&mut self) {
@@ -337,7 +346,8 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let lines = layout.stride() / 8;
         self.records.resize((self.neighbourhood.local().count + 1) * lines, Line([0.0; 8]));
         let padding = self.neighbourhood.local().count * layout.stride();
-        layout.padding(&mut bytemuck::cast_slice_mut::<Line, f64>(&mut self.records)[padding..padding + layout.stride()]);
+        layout
+            .padding(&mut bytemuck::cast_slice_mut::<Line, f64>(&mut self.records)[padding..padding + layout.stride()]);
     }
 }
 
