@@ -1,10 +1,12 @@
 //! All tests that need the whole program or several ranks, by topic, in one binary: it links once.
 
 mod architecture;
+mod balance;
 mod common;
 mod errors;
 mod output;
 mod pair_loop;
+mod pay_for_use;
 mod ranks;
 mod ranks_domain;
 mod ranks_outcome;
