@@ -43,6 +43,7 @@ pub trait Shape: Copy {
 #[derive(Clone, Copy)]
 pub struct CubicSpline;
 
+// SAFETY: the callers of its methods answer for the instruction set.
 impl Shape for CubicSpline {
     fn normalisation<const D: usize>() -> f64 {
         if D == 2 { 10.0 / (7.0 * PI) } else { 1.0 / PI }
@@ -72,6 +73,7 @@ impl Shape for CubicSpline {
 #[derive(Clone, Copy)]
 pub struct WendlandC2;
 
+// SAFETY: the callers of its methods answer for the instruction set.
 impl Shape for WendlandC2 {
     fn normalisation<const D: usize>() -> f64 {
         if D == 2 { 7.0 / (4.0 * PI) } else { 21.0 / (16.0 * PI) }

@@ -86,6 +86,9 @@ fn read_scene(args: &Args, comm: &Comm) -> Result<Scene> {
 
 /// Directory, threads, signals.
 fn prepare(args: &Args, options: &Options, comm: &Comm) -> Result<()> {
+    if options.resume {
+        simulation::directory::require_checkpoint(&options.directory, comm)?;
+    }
     simulation::directory::prepare(&options.directory, options.resume, comm)?;
     let cores = workers::usable_cores();
     let threads = match args.threads {
@@ -93,7 +96,9 @@ fn prepare(args: &Args, options: &Options, comm: &Comm) -> Result<()> {
         None => (cores / ranks_on_these_cores(cores, comm)).max(1),
     };
     if threads > cores {
-        tracing::warn!("{threads} threads on {cores} usable cores: the launcher may have pinned this rank (--bind-to none)");
+        tracing::warn!(
+            "{threads} threads on {cores} usable cores: the launcher may have pinned this rank (--bind-to none)"
+        );
     }
     workers::start_threads(threads)?;
     signals::listen();

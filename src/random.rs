@@ -7,12 +7,7 @@ fn philox(mut counter: [u32; 4], mut key: [u32; 2]) -> [u32; 4] {
     for _ in 0..10 {
         let a = counter[0] as u64 * 0xD251_1F53;
         let b = counter[2] as u64 * 0xCD9E_8D57;
-        counter = [
-            (b >> 32) as u32 ^ counter[1] ^ key[0],
-            b as u32,
-            (a >> 32) as u32 ^ counter[3] ^ key[1],
-            a as u32,
-        ];
+        counter = [(b >> 32) as u32 ^ counter[1] ^ key[0], b as u32, (a >> 32) as u32 ^ counter[3] ^ key[1], a as u32];
         key = [key[0].wrapping_add(0x9E37_79B9), key[1].wrapping_add(0xBB67_AE85)];
     }
     counter
@@ -21,7 +16,8 @@ fn philox(mut counter: [u32; 4], mut key: [u32; 2]) -> [u32; 4] {
 /// Uniform draws in the open interval (0, 1), two at a time: numbers `2 pair` and `2 pair + 1` of particle `id`.
 #[inline]
 pub fn uniform_pair(seed: u64, id: u64, pair: u64) -> [f64; 2] {
-    let c = philox([pair as u32, (pair >> 32) as u32, id as u32, (id >> 32) as u32], [seed as u32, (seed >> 32) as u32]);
+    let c =
+        philox([pair as u32, (pair >> 32) as u32, id as u32, (id >> 32) as u32], [seed as u32, (seed >> 32) as u32]);
     let unit = |hi: u32, lo: u32| {
         let bits = ((hi as u64) << 32 | lo as u64) >> 12;
         (bits as f64 + 0.5) * (1.0 / (1u64 << 52) as f64)

@@ -140,27 +140,36 @@ fn checkpoint_of_nothing() {
 
 /// A fault on one rank, without which the run would go on for minutes, ends the job within seconds.
 #[track_caller]
-fn assert_fault_ends_the_job(fault: &str) -> String {
+fn assert_fault_ends_the_job(fault: &str, start: impl FnOnce(&[&str]) -> Launch) -> String {
     let dir = tempfile::tempdir().expect("a temporary directory");
     let scene = write_scene(dir.path(), IMPACT);
     let out = dir.path().join("run");
-    let args = [scene.as_os_str(), "--out".as_ref(), out.as_os_str(), "--set".as_ref(), "run.until=1000 s".as_ref()];
-    let output = Launch::scene(2, &args).env("SPH_MPI_FAULT", fault).limit(20).run();
+    let [scene, out] = [&scene, &out].map(|path| path.to_str().expect("a plain path"));
+    let args = [scene, "--out", out, "--set", "run.until=1000 s", "--threads", "2"];
+    let output = start(&args).env("SPH_MPI_FAULT", fault).limit(20).run();
     assert!(output.code.is_some_and(|code| code != 0), "exit code {:?}\n{}", output.code, output.stderr);
     output.stderr
 }
 
 #[test]
 fn panic_on_one_rank_ends_the_job() {
-    for fault in ["panic:0:5", "panic:1:5"] {
-        let stderr = assert_fault_ends_the_job(fault);
-        assert!(stderr.contains("panicked"), "{stderr}");
+    for fault in ["panic:0:5", "panic:1:5", "pool:0:5", "pool:1:5"] {
+        let stderr = assert_fault_ends_the_job(fault, |args| Launch::scene(2, args));
+        assert!(stderr.contains("a panic was asked for"), "{stderr}");
+    }
+}
+
+#[test]
+fn panic_without_mpirun_ends_the_program() {
+    for fault in ["panic:0:5", "pool:0:5"] {
+        let stderr = assert_fault_ends_the_job(fault, |args| Launch::alone(PROGRAM, args));
+        assert!(stderr.contains("a panic was asked for"), "{stderr}");
     }
 }
 
 #[test]
 fn death_of_one_rank_ends_the_job() {
-    assert_fault_ends_the_job("kill:1:5");
+    assert_fault_ends_the_job("kill:1:5", |args| Launch::scene(2, args));
 }
 
 /// Stops the impact by `stop` once it is under way, checks the end, resumes it and compares it with a run left alone.

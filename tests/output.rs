@@ -2,10 +2,9 @@
 //! mpirun.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::sync::Mutex;
-use std::time::{Duration, Instant};
+use std::process::Command;
 
+use crate::common;
 use sph_mpi::domain::comm::Comm;
 use sph_mpi::material::{BodyConstants, Core, declare_core};
 use sph_mpi::math::{Deviator, Vec3};
@@ -16,51 +15,22 @@ use sph_mpi::output::snapshot::extend_series;
 use sph_mpi::output::{CheckpointMeta, History, Snapshot, Storage, checkpoint, state_hash};
 use sph_mpi::particles::{Column, ColumnInfo, Columns, Life, ParticleId, Registry};
 
-const RANKS: &str = "SPH_MPI_TEST_RANKS";
 const DIRECTORY: &str = "SPH_MPI_TEST_DIRECTORY";
 const STAGE: &str = "SPH_MPI_TEST_STAGE";
-const LIMIT: Duration = Duration::from_secs(60);
-static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
 
-/// Inside mpirun: runs `body` on every rank. Outside: does nothing and says so.
+/// On a rank: runs `body` in the directory and at the stage that [`launch`] named, and says so.
 fn on_ranks(body: impl FnOnce(&Comm, &Path, &str)) -> bool {
-    let Ok(ranks) = std::env::var(RANKS) else { return false };
-    let comm = Comm::start();
-    assert_eq!(comm.size().to_string(), ranks, "mpirun does not belong to the MPI this was built with");
-    let directory = PathBuf::from(std::env::var(DIRECTORY).unwrap());
-    body(&comm, &directory, &std::env::var(STAGE).unwrap());
-    comm.finish();
-    true
+    common::on_rank(|comm| {
+        let directory = PathBuf::from(std::env::var(DIRECTORY).unwrap());
+        body(comm, &directory, &std::env::var(STAGE).unwrap());
+        String::new()
+    })
 }
 
-/// Runs test `name` of this executable on `ranks` ranks.
+/// Runs test `name` of this file on `ranks` ranks.
 fn launch(name: &str, ranks: usize, directory: &Path, stage: &str) {
-    use std::os::unix::process::CommandExt;
-    let _turn = ONE_AT_A_TIME.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-    let mut child = Command::new("mpirun")
-        .args(["-n", &ranks.to_string()])
-        .arg(std::env::current_exe().unwrap())
-        .args([name, "--exact", "--nocapture", "--test-threads=1"])
-        .env(RANKS, ranks.to_string())
-        .env(DIRECTORY, directory)
-        .env(STAGE, stage)
-        .stdin(Stdio::null())
-        .process_group(0)
-        .spawn()
-        .expect("mpirun starts");
-    let start = Instant::now();
-    loop {
-        if let Some(status) = child.try_wait().unwrap() {
-            assert!(status.success(), "{name} on {ranks} ranks: {status}");
-            return;
-        }
-        if start.elapsed() > LIMIT {
-            // SAFETY: the group is the one made for this child.
-            unsafe { libc::kill(-(child.id() as i32), libc::SIGKILL) };
-            panic!("{name} hangs on {ranks} ranks");
-        }
-        std::thread::sleep(Duration::from_millis(20));
-    }
+    let directory = directory.to_str().expect("a plain path");
+    common::launch(ranks, &format!("output::{name}"), &[(DIRECTORY, directory), (STAGE, stage)]);
 }
 
 const SITES: u64 = 500;

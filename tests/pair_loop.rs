@@ -191,7 +191,8 @@ fn sums_agree_with_a_plain_double_loop() {
     for (kernel, spline) in [(Kernel::CubicSpline, true), (Kernel::WendlandC2, false)] {
         let sums = cloud.sums(kernel, Width::Portable);
         for i in 0..25 {
-            let (mut force, mut gradient, mut moment, mut dissipation, mut approach) = ([0.0; 3], [0.0; 9], [0.0; 9], 0.0, 0.0f64);
+            let (mut force, mut gradient, mut moment, mut dissipation, mut approach) =
+                ([0.0; 3], [0.0; 9], [0.0; 9], 0.0, 0.0f64);
             let a = cloud.record(i);
             for j in (0..25).filter(|&j| j != i) {
                 let b = cloud.record(j);
@@ -228,7 +229,14 @@ fn sums_agree_with_a_plain_double_loop() {
             }
             let s = &sums[i];
             let m = &s.moment;
-            let pairs = [(m[0], moment[0]), (m[1], moment[4]), (m[2], moment[8]), (m[3], moment[1]), (m[4], moment[2]), (m[5], moment[5])];
+            let pairs = [
+                (m[0], moment[0]),
+                (m[1], moment[4]),
+                (m[2], moment[8]),
+                (m[3], moment[1]),
+                (m[4], moment[2]),
+                (m[5], moment[5]),
+            ];
             let others = [(s.dissipation, dissipation), (s.approach, approach)];
             let all = s.force.into_iter().zip(force).chain(s.gradient.into_iter().zip(gradient));
             for (found, expected) in all.chain(pairs).chain(others) {

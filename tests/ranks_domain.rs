@@ -1,9 +1,7 @@
 //! Decomposition on several ranks: lists, watch and ghost messages give the same answers on 1 to 4 ranks, and the watch
 //! speaks up before two particles that are not listed come within their supports.
 
-use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
-
+use crate::common::same_on_any_ranks;
 use sph_mpi::domain::ghosts::Extent;
 use sph_mpi::domain::{Comm, Decomposition, Handles, Motion, Watch};
 use sph_mpi::math::Vec3;
@@ -11,57 +9,8 @@ use sph_mpi::neighbours::NeighbourList;
 use sph_mpi::particles::{Column, ColumnInfo, Columns, Lattice, Life, ParticleId, Registry, Site};
 use sph_mpi::random::uniform;
 
-const RANKS: &str = "SPH_MPI_TEST_RANKS";
 const PARTICLES: u64 = 1500;
 const SKIN: f64 = 0.1;
-
-/// Runs the test `name` of this executable on `ranks` ranks and returns what rank 0 printed as its result.
-fn run(name: &str, ranks: usize) -> String {
-    let mut child = Command::new("mpirun")
-        .args(["-n", &ranks.to_string()])
-        .arg(std::env::current_exe().unwrap())
-        .args([name, "--exact", "--nocapture"])
-        .env(RANKS, ranks.to_string())
-        .env("OMPI_ALLOW_RUN_AS_ROOT", "1")
-        .env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
-        .env("OMPI_MCA_rmaps_base_oversubscribe", "1")
-        .env("OMPI_MCA_hwloc_base_binding_policy", "none")
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("mpirun starts");
-    let start = Instant::now();
-    while child.try_wait().unwrap().is_none() {
-        if start.elapsed() > Duration::from_secs(120) {
-            child.kill().unwrap();
-            panic!("{name} on {ranks} ranks takes too long");
-        }
-        std::thread::sleep(Duration::from_millis(20));
-    }
-    let output = child.wait_with_output().unwrap();
-    let text = String::from_utf8_lossy(&output.stdout);
-    assert!(output.status.success(), "{ranks} ranks:\n{text}\n{}", String::from_utf8_lossy(&output.stderr));
-    let (_, result) = text.split_once("RESULT ").unwrap_or_else(|| panic!("{ranks} ranks give no result:\n{text}"));
-    result.lines().next().unwrap().to_string()
-}
-
-/// On 1 to 4 ranks `on_ranks` prints the same result.
-fn same_on_all_ranks(name: &str, on_ranks: impl Fn(&Comm) -> String) {
-    if let Ok(ranks) = std::env::var(RANKS) {
-        let comm = Comm::start();
-        assert_eq!(comm.size().to_string(), ranks);
-        let result = on_ranks(&comm);
-        if comm.is_root() {
-            println!("RESULT {result}");
-        }
-        return;
-    }
-    let alone = run(name, 1);
-    println!("{alone}");
-    for ranks in 2..=4 {
-        assert_eq!(run(name, ranks), alone, "{ranks} ranks");
-    }
-}
 
 /// Where a particle is and how large its support is, at any time: a ball with a few coarse particles, a fine one that flies
 /// into it, and single particles that come from afar. At first nothing else moves, so that nothing else asks for new
@@ -227,7 +176,8 @@ fn tell<const D: usize>(story: Story<D>, comm: &Comm) -> String {
                 let costs: Vec<u32> = (0..cloud.columns.len()).map(|i| list.row(i).len() as u32).collect();
                 domain.bisect(&cloud.columns, &costs, comm);
             }
-            domain.rebuild(&mut cloud.columns, &list_radius, comm);
+            cloud.columns.copy(cloud.handles.position.index, cloud.handles.build_position.index);
+            domain.rebuild_from_build_positions(&mut cloud.columns, &list_radius, comm);
             list.build(&domain.local);
             builds += 1;
             migrated += domain.migrated;
@@ -253,24 +203,24 @@ fn tell<const D: usize>(story: Story<D>, comm: &Comm) -> String {
 
 #[test]
 fn lists_and_watch_are_the_same_3d() {
-    same_on_all_ranks("lists_and_watch_are_the_same_3d", |comm| tell::<3>(impact, comm));
+    same_on_any_ranks("ranks_domain::lists_and_watch_are_the_same_3d", |comm| tell::<3>(impact, comm));
 }
 
 #[test]
 fn lists_and_watch_are_the_same_2d() {
-    same_on_all_ranks("lists_and_watch_are_the_same_2d", |comm| tell::<2>(impact, comm));
+    same_on_any_ranks("ranks_domain::lists_and_watch_are_the_same_2d", |comm| tell::<2>(impact, comm));
 }
 
 #[test]
 fn bodies_from_afar_are_seen_in_time() {
-    same_on_all_ranks("bodies_from_afar_are_seen_in_time", |comm| tell::<3>(approach, comm));
+    same_on_any_ranks("ranks_domain::bodies_from_afar_are_seen_in_time", |comm| tell::<3>(approach, comm));
 }
 
 /// Two particles, each of support 1, at any distance: when the skin is used up they are still a support apart, and from
 /// afar they may come much nearer than a skin.
 #[test]
 fn a_pair_is_stopped_before_it_meets() {
-    same_on_all_ranks("a_pair_is_stopped_before_it_meets", |comm| {
+    same_on_any_ranks("ranks_domain::a_pair_is_stopped_before_it_meets", |comm| {
         let lattice = Lattice::new(1.0 + SKIN);
         let mut most = 0.0f64;
         for (k, start) in (0..90).map(|k| (k, 0.17 * k as f64)) {
@@ -308,7 +258,7 @@ fn a_pair_is_stopped_before_it_meets() {
 /// Moving together uses nothing of the skin, until particles may have met others far away.
 #[test]
 fn only_relative_motion_counts() {
-    same_on_all_ranks("only_relative_motion_counts", |comm| {
+    same_on_any_ranks("ranks_domain::only_relative_motion_counts", |comm| {
         let mut cloud = Cloud::<3>::new(impact, comm);
         let column = cloud.list_radius;
         let list_radius = move |columns: &Columns, i: usize| columns.get(column, i);

@@ -3,70 +3,12 @@
 //! A test started plainly runs itself again under mpirun for each number of ranks; every run prints a digest of its results
 //! and all digests must agree. Particles are dealt out to ranks by slabs, with some astray, so that fragments and cells are cut.
 
-use std::io::Read;
-use std::process::{Command, Stdio};
-use std::sync::Mutex;
-use std::time::{Duration, Instant};
-
+use crate::common::same_on_any_ranks;
 use sph_mpi::domain::comm::Comm;
 use sph_mpi::gravity::{Acceleration, Field, G, Opening, Potential, Source, Target, Tree};
 use sph_mpi::math::Vec3;
 use sph_mpi::outcome::{Evaluation, Particle, Question, distributions::distributions, evaluate, fragments};
 use sph_mpi::random::uniform;
-
-const RANKS: &str = "SPH_MPI_TEST_RANKS";
-const TIME_LIMIT: Duration = Duration::from_secs(120);
-static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
-
-/// Runs `body` on 1 to 4 ranks and compares what it returns on rank 0.
-fn on_ranks(test: &str, body: impl Fn(&Comm) -> String) {
-    if let Ok(expected) = std::env::var(RANKS) {
-        let comm = Comm::start();
-        assert_eq!(comm.size().to_string(), expected, "mpirun of another MPI");
-        let digest = body(&comm);
-        if comm.is_root() {
-            println!("digest {}", blake3::hash(digest.as_bytes()));
-        }
-        comm.finish();
-        return;
-    }
-    let _lock = ONE_AT_A_TIME.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-    let digests: Vec<String> = (1..=4).map(|ranks| digest_of(test, ranks)).collect();
-    assert!(digests.iter().all(|digest| *digest == digests[0]), "{test}: ranks differ: {digests:?}");
-}
-
-fn digest_of(test: &str, ranks: usize) -> String {
-    let executable = std::env::current_exe().expect("a test knows its executable");
-    let mut child = Command::new("mpirun")
-        .args(["-n", &ranks.to_string()])
-        .arg(executable)
-        .args([test, "--exact", "--nocapture"])
-        .env(RANKS, ranks.to_string())
-        .env("RAYON_NUM_THREADS", (1 + ranks % 2).to_string())
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("mpirun starts");
-    let started = Instant::now();
-    let mut stdout = child.stdout.take().expect("stdout is piped");
-    let reader = std::thread::spawn(move || {
-        let mut text = String::new();
-        stdout.read_to_string(&mut text).map(|_| text)
-    });
-    let status = loop {
-        if let Some(status) = child.try_wait().expect("the child can be waited for") {
-            break status;
-        }
-        if started.elapsed() > TIME_LIMIT {
-            let _ = child.kill();
-            panic!("{test} on {ranks} ranks did not end within {TIME_LIMIT:?}");
-        }
-        std::thread::sleep(Duration::from_millis(20));
-    };
-    let text = reader.join().expect("the reader ends").expect("output is text");
-    assert!(status.success(), "{test} failed on {ranks} ranks:\n{text}");
-    let line = text.split("digest ").nth(1).and_then(|after| after.get(..64));
-    line.unwrap_or_else(|| panic!("{test} on {ranks} ranks printed no digest:\n{text}")).to_string()
-}
 
 /// Whether this rank holds something at `x` in [-1, 1]: slabs, with one in twenty astray.
 fn is_mine(comm: &Comm, id: u64, x: f64) -> bool {
@@ -117,7 +59,7 @@ fn direct<F: Field>(all: &[Source], target: &Target) -> F {
 /// the sum of magnitudes of all pulls, since an expansion errs in proportion to its own size while pulls cancel.
 #[test]
 fn tree_agrees_with_direct_sum() {
-    on_ranks("tree_agrees_with_direct_sum", |comm| {
+    same_on_any_ranks("ranks_outcome::tree_agrees_with_direct_sum", |comm| {
         let all = sources(3000);
         let mine: Vec<Source> = all.iter().copied().filter(|s| is_mine(comm, s.id, s.position[0])).collect();
         let targets: Vec<Target> = mine.iter().map(Target::from).collect();
@@ -151,7 +93,7 @@ fn tree_agrees_with_direct_sum() {
 /// No sources at all, one source, and sources at one place.
 #[test]
 fn odd_trees() {
-    on_ranks("odd_trees", |comm| {
+    same_on_any_ranks("ranks_outcome::odd_trees", |comm| {
         let target = Target { id: Target::NOBODY, position: Vec3::new(3.0, 4.0, 0.0), softening: 0.1 };
         let field = |sources: &[Source]| {
             Tree::build(comm, sources, &[target], Opening::default()).field::<Potential>(&target).0
@@ -196,7 +138,7 @@ fn digest(comm: &Comm, evaluation: &Evaluation) -> String {
 /// A rod that winds through all slabs several times, a block, and dust between: labels have to travel far.
 #[test]
 fn fragments_across_ranks() {
-    on_ranks("fragments_across_ranks", |comm| {
+    same_on_any_ranks("ranks_outcome::fragments_across_ranks", |comm| {
         let mut all = Vec::new();
         let mut id = 5000;
         let mut put = |site: [i64; 3], damage: f64| {
@@ -237,7 +179,7 @@ fn fragments_across_ranks() {
 /// Rubble, a chip that leaves, and a second ball: the larger ball is bound although nothing in it is intact.
 #[test]
 fn rubble_is_bound_and_fast_ejecta_are_not() {
-    on_ranks("rubble_is_bound_and_fast_ejecta_are_not", |comm| {
+    same_on_any_ranks("ranks_outcome::rubble_is_bound_and_fast_ejecta_are_not", |comm| {
         let ball = |radius: i64| {
             let side = -radius..=radius;
             let sites = side.clone().flat_map(move |x| {
@@ -281,7 +223,7 @@ fn rubble_is_bound_and_fast_ejecta_are_not() {
 /// Two fragments of a solid target that separate slowly are one remnant, and two when they are fast: two-body energy.
 #[test]
 fn two_halves_obey_two_body_energy() {
-    on_ranks("two_halves_obey_two_body_energy", |comm| {
+    same_on_any_ranks("ranks_outcome::two_halves_obey_two_body_energy", |comm| {
         let mut fractions = Vec::new();
         for factor in [0.98, 1.02] {
             let mut all: Vec<Particle> = Vec::new();
@@ -308,7 +250,7 @@ fn two_halves_obey_two_body_energy() {
 /// Ranks without particles take part: two particles on one rank, linked or apart.
 #[test]
 fn few_particles() {
-    on_ranks("few_particles", |comm| {
+    same_on_any_ranks("ranks_outcome::few_particles", |comm| {
         let question = Question { dimension: 3, target_mass: 2.0 * 2700.0 * SPACING * SPACING * SPACING };
         let look = |distance, speed| {
             let both = [
@@ -332,7 +274,7 @@ fn few_particles() {
 /// of pieces, outcome and tables compared. Mass is conserved, and what is bound is neither nothing nor all.
 #[test]
 fn expanding_rubble_has_one_outcome() {
-    on_ranks("expanding_rubble_has_one_outcome", |comm| {
+    same_on_any_ranks("ranks_outcome::expanding_rubble_has_one_outcome", |comm| {
         let n = 9i64;
         let escape = n as f64 * SPACING * (8.0 / 3.0 * std::f64::consts::PI * G * 2700.0).sqrt();
         let side = -n..=n;

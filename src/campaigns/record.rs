@@ -15,6 +15,8 @@ use crate::output::summary::Figures;
 /// One finished impact.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Impact {
+    /// 0 for the impacts of the search; repeats at the threshold are numbered from 1.
+    pub repeat: u32,
     /// The varied length, m.
     pub length: f64,
     /// J/kg.
@@ -64,6 +66,7 @@ impl Impact {
     pub fn figures(&self) -> Figures {
         let named = |name: &str, value: f64| (name.to_string(), value);
         Figures(vec![
+            named("repeat", self.repeat as f64),
             named("length", self.length),
             named("q", self.q),
             named("q_r", self.q_r),

@@ -1,9 +1,11 @@
 //! The catastrophic disruption threshold: impact after impact at the scene's speed and angle, the projectile's size varied,
-//! until the largest remnant is known to fall through one half. Q*_D and Q*_RD come from the same impacts.
+//! until the largest remnant is known to fall through one half. Q*_D and Q*_RD come from the same impacts. A few more, at the
+//! threshold but with other flaws and another orientation of the lattice, tell how much the outcome of one impact is worth:
+//! their standard deviation, over the slope of the remnant law, is part of the uncertainty.
 
 use std::path::Path;
 
-use super::bracket::{Next, Rules, next};
+use super::bracket::{Next, Point, Rules, next};
 use super::fit::{Threshold, threshold};
 use super::record::{self, Impact, Price};
 use crate::domain::comm::Comm;
@@ -24,45 +26,75 @@ struct Search<'a> {
     projectile: &'a Body,
     speed: f64,
     reference: ThresholdFit,
+    repeats: u32,
 }
 
 /// Searches, or goes on searching. Collective.
 pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<Ended> {
     let search = Search::new(scene)?;
+    let impacts = if options.resume { record::read(&options.directory, comm)? } else { Vec::new() };
+    let mut progress = Progress { search: &search, options, comm, impacts };
     let rules = search.rules();
-    let mut impacts = if options.resume { record::read(&options.directory, comm)? } else { Vec::new() };
     let end = loop {
-        let points: Vec<_> = impacts.iter().map(Impact::point).collect();
-        let q = match next(&points, &rules) {
-            Next::Impact(q) => q,
+        match next(&progress.points(Impact::point), &rules) {
+            Next::Impact(q) => {
+                if !progress.run_impact(search.length(q), 0)? {
+                    return Ok(Ended::Interrupted);
+                }
+            }
             Next::Done(end) => break end,
-        };
-        let length = search.length(q);
-        tracing::info!("impact {}: {} = {length:.5e} m, Q = {q:.4e} J/kg", impacts.len() + 1, search.key);
-        let Some(impact) = search.impact(length, impacts.len() + 1, options, comm)? else {
-            return Ok(Ended::Interrupted);
-        };
+        }
+    };
+    if let Some(found) = threshold(&progress.points(Impact::point)) {
+        let done = progress.impacts.iter().map(|impact| impact.repeat).max().unwrap_or(0);
+        for repeat in done + 1..=search.repeats {
+            if !progress.run_impact(search.length(found.q_star), repeat)? {
+                return Ok(Ended::Interrupted);
+            }
+        }
+    }
+    let end = serde_json::to_string(&end).unwrap_or_default().trim_matches('"').to_string();
+    Found::new(&progress, end).write(&options.directory, comm)?;
+    Ok(Ended::Finished)
+}
+
+/// A search on its way.
+struct Progress<'a> {
+    search: &'a Search<'a>,
+    options: &'a Options,
+    comm: &'a Comm,
+    impacts: Vec<Impact>,
+}
+
+impl Progress<'_> {
+    /// The impacts of the search itself.
+    fn points(&self, point: fn(&Impact) -> Point) -> Vec<Point> {
+        self.impacts.iter().filter(|impact| impact.repeat == 0).map(point).collect()
+    }
+
+    /// Runs one impact and records it; false where it was interrupted. Collective.
+    fn run_impact(&mut self, length: f64, repeat: u32) -> Result<bool> {
+        let number = self.impacts.len() + 1;
+        let (search, comm) = (self.search, self.comm);
+        tracing::info!("impact {number}: {} = {length:.5e} m, Q = {:.4e} J/kg", search.key, search.q(length));
+        let Some(impact) = search.impact((length, repeat), number, self.options, comm)? else { return Ok(false) };
         tracing::info!(
-            "impact {}: M_lr / M_T = {:.3}, {:.3} at twice the time",
-            impacts.len() + 1,
+            "impact {number}: M_lr / M_T = {:.3}, {:.3} at twice the time",
             impact.outcome.largest_remnant_fraction,
             impact.later.largest_remnant_fraction
         );
-        impacts.push(impact);
-        record::write(&options.directory, &impacts, comm)?;
-    };
-    let points: Vec<_> = impacts.iter().map(Impact::point).collect();
-    let of_total: Vec<_> = impacts.iter().map(Impact::point_of_total).collect();
-    let end = serde_json::to_string(&end).unwrap_or_default().trim_matches('"').to_string();
-    let found = Found { search: &search, impacts: &impacts, d: threshold(&points), rd: threshold(&of_total), end };
-    found.write(&options.directory, comm)?;
-    Ok(Ended::Finished)
+        self.impacts.push(impact);
+        record::write(&self.options.directory, &self.impacts, comm)?;
+        Ok(true)
+    }
 }
 
 impl<'a> Search<'a> {
     fn new(scene: &'a Scene) -> Result<Self> {
         let (Some(threshold), Some(impact)) = (&scene.threshold, &scene.impact) else {
-            return Err(Error::new("a threshold is searched with impacts").at(scene.path()).allowed("an [impact] table"));
+            return Err(Error::new("a threshold is searched with impacts")
+                .at(scene.path())
+                .allowed("an [impact] table"));
         };
         let (target, projectile) = (&scene.bodies[impact.target], &scene.bodies[impact.projectile]);
         let key = format!("{}.radius", projectile.name);
@@ -71,7 +103,8 @@ impl<'a> Search<'a> {
             return Err(Error::new(what).at("threshold.vary").allowed(key + " of a sphere"));
         }
         let reference = scaling::nearest_fit(target.density, impact.speed);
-        Ok(Self { scene, key: &threshold.vary, target, projectile, speed: impact.speed, reference })
+        let repeats = threshold.repeats;
+        Ok(Self { scene, key: &threshold.vary, target, projectile, speed: impact.speed, reference, repeats })
     }
 
     fn rules(&self) -> Rules {
@@ -103,9 +136,28 @@ impl<'a> Search<'a> {
         self.projectile.shape.outer_radius() * libm::cbrt(mass / self.projectile.mass())
     }
 
+    /// What distinguishes an impact from the scene; a repeat has flaws and an orientation of its own.
+    fn overrides(&self, length: f64, repeat: u32) -> Vec<String> {
+        let mut all = vec![format!("{}={length:?}", self.key)];
+        if repeat > 0 {
+            all.push(format!("{}.orientation={{ seed = {} }}", self.target.name, 1000 + repeat));
+            if let Some(fracture) = &self.scene.materials[self.target.material].fracture {
+                let material = &self.scene.material_names[self.target.material];
+                all.push(format!("material.{material}.fracture.seed={}", fracture.seed + repeat as u64));
+            }
+        }
+        all
+    }
+
     /// Runs one impact, or goes on with the one that was interrupted; none where it was interrupted again.
-    fn impact(&self, length: f64, number: usize, options: &Options, comm: &Comm) -> Result<Option<Impact>> {
-        let scene = self.scene.reread(&[format!("{}={length:?}", self.key)])?;
+    fn impact(
+        &self,
+        (length, repeat): (f64, u32),
+        number: usize,
+        options: &Options,
+        comm: &Comm,
+    ) -> Result<Option<Impact>> {
+        let scene = self.scene.reread(&self.overrides(length, repeat))?;
         let directory = options.directory.join(format!("impact_{number:02}"));
         simulation::directory::prepare(&directory, options.resume, comm)?;
         let report = simulation::run(&scene, &Options { directory, ..options.clone() }, comm)?;
@@ -113,6 +165,7 @@ impl<'a> Search<'a> {
         let later = report.later.unwrap_or_else(|| outcome.clone());
         let (target, projectile) = (self.target.mass(), self.projectile_mass(length));
         Ok(Some(Impact {
+            repeat,
             length,
             q: scaling::q(target, projectile, self.speed),
             q_r: scaling::q_r(target, projectile, self.speed),
@@ -145,10 +198,28 @@ struct Found<'a> {
     impacts: &'a [Impact],
     d: Option<Threshold>,
     rd: Option<Threshold>,
+    /// Standard deviation of the threshold between repeats, J/kg; none without repeats.
+    scatter: Option<f64>,
     end: String,
 }
 
-impl Found<'_> {
+impl<'a> Found<'a> {
+    fn new(progress: &'a Progress<'a>, end: String) -> Self {
+        let d = threshold(&progress.points(Impact::point));
+        let repeated = progress.impacts.iter().filter(|impact| impact.repeat > 0);
+        let shares: Vec<f64> = repeated.map(|impact| impact.outcome.largest_remnant_fraction).collect();
+        let scatter = d.as_ref().filter(|_| shares.len() > 1).map(|t| deviation(&shares) * t.q_star / t.slope);
+        let rd = threshold(&progress.points(Impact::point_of_total));
+        Self { search: progress.search, impacts: &progress.impacts, d, rd, scatter, end }
+    }
+
+    /// A threshold's own uncertainty and the scatter between realisations, which is alike in relative terms for both.
+    fn uncertainty(&self, t: &Threshold) -> f64 {
+        let relative = self.d.as_ref().zip(self.scatter).map_or(0.0, |(d, scatter)| scatter / d.q_star);
+        let scatter = relative * t.q_star;
+        (t.uncertainty.combined * t.uncertainty.combined + scatter * scatter).sqrt()
+    }
+
     /// summary.json, threshold.csv and two figures, on rank 0; and the result in words. Collective.
     fn write(&self, directory: &Path, comm: &Comm) -> Result<()> {
         self.summary(comm).write(&directory.join("summary.json"), comm)?;
@@ -177,13 +248,15 @@ impl Found<'_> {
         let q_star_d = number(&self.d, |t| t.q_star);
         let parts = self.d.iter().flat_map(|t| {
             let u = &t.uncertainty;
-            [("bracket", u.bracket), ("residual", u.residual), ("shift", u.shift)]
+            let scatter = self.scatter.unwrap_or(f64::NAN);
+            [("bracket", u.bracket), ("residual", u.residual), ("shift", u.shift), ("scatter", scatter)]
         });
+        let uncertainty = |found: &Option<Threshold>| found.as_ref().map_or(f64::NAN, |t| self.uncertainty(t));
         summary::Threshold {
             q_star_d,
             q_star_rd: number(&self.rd, |t| t.q_star),
-            uncertainty: number(&self.d, |t| t.uncertainty.combined),
-            uncertainty_of_q_star_rd: number(&self.rd, |t| t.uncertainty.combined),
+            uncertainty: uncertainty(&self.d),
+            uncertainty_of_q_star_rd: uncertainty(&self.rd),
             uncertainty_parts: Figures(parts.map(|(name, value)| (name.to_string(), value)).collect()),
             slope: number(&self.d, |t| t.slope),
             angle: self.angle_in_degrees(),
@@ -232,25 +305,35 @@ impl Found<'_> {
 
     /// M_lr against Q with the fitted law.
     fn remnant_figure(&self) -> Figure {
-        let points = |get: fn(&Impact) -> (f64, f64)| self.impacts.iter().map(get).collect::<Vec<_>>();
+        let of = |repeats: bool, get: fn(&Impact) -> (f64, f64)| -> Vec<(f64, f64)> {
+            self.impacts.iter().filter(|impact| (impact.repeat > 0) == repeats).map(get).collect()
+        };
         let mut series = vec![
             Series {
                 label: "settled".into(),
-                points: points(|i| (i.q, i.outcome.largest_remnant_fraction)),
+                points: of(false, |i| (i.q, i.outcome.largest_remnant_fraction)),
                 errors: Vec::new(),
                 mark: Mark::Points,
             },
             Series {
                 label: "at twice the time".into(),
-                points: points(|i| (i.q, i.later.largest_remnant_fraction)),
+                points: of(false, |i| (i.q, i.later.largest_remnant_fraction)),
                 errors: Vec::new(),
                 mark: Mark::Points,
             },
         ];
+        if self.scatter.is_some() {
+            series.push(Series {
+                label: "other flaws and orientations".into(),
+                points: of(true, |i| (i.q, i.outcome.largest_remnant_fraction)),
+                errors: Vec::new(),
+                mark: Mark::Points,
+            });
+        }
         if let Some(t) = &self.d {
             let law = |x: f64| (x * t.q_star, 0.5 - t.slope * (x - 1.0));
             let line = (0..=40).map(|k| law(0.5 + k as f64 / 40.0)).filter(|(_, share)| (0.1..=0.9).contains(share));
-            let label = format!("Q*_D = {:.3e} ± {:.1e} J/kg", t.q_star, t.uncertainty.combined);
+            let label = format!("Q*_D = {:.3e} ± {:.1e} J/kg", t.q_star, self.uncertainty(t));
             series.push(Series { label, points: line.collect(), errors: Vec::new(), mark: Mark::Line });
         }
         Figure {
@@ -276,7 +359,7 @@ impl Found<'_> {
             series.push(Series {
                 label: format!("this scene, {:.0}°", self.angle_in_degrees()),
                 points: vec![(radius, t.q_star)],
-                errors: vec![t.uncertainty.combined],
+                errors: vec![self.uncertainty(t)],
                 mark: Mark::Points,
             });
         }
@@ -298,7 +381,19 @@ impl Found<'_> {
             t.ratio_to_reference,
             t.reference
         );
-        tracing::info!("Q*_RD = {:.4e} +- {:.1e} J/kg; {} impacts, {}", t.q_star_rd, t.uncertainty_of_q_star_rd, self.impacts.len(), self.end);
+        tracing::info!(
+            "Q*_RD = {:.4e} +- {:.1e} J/kg; {} impacts, {}",
+            t.q_star_rd,
+            t.uncertainty_of_q_star_rd,
+            self.impacts.len(),
+            self.end
+        );
         tracing::info!("written to {}", directory.display());
     }
+}
+
+/// Standard deviation of a sample.
+fn deviation(values: &[f64]) -> f64 {
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    (values.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / (values.len() - 1) as f64).sqrt()
 }

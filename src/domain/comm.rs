@@ -27,8 +27,11 @@ pub struct Comm {
     /// Exchanges made so far: each gets a tag of its own.
     exchanges: Cell<i32>,
     waited: Cell<f64>,
+    waited_cpu: Cell<f64>,
     sent: Cell<u64>,
     pieces: RefCell<Vec<ffi::MPI_Request>>,
+    /// What this rank gives to a reduction; kept, as steps do not allocate.
+    mine: RefCell<Vec<u64>>,
 }
 
 static ABORT_ON_PANIC: AtomicBool = AtomicBool::new(false);
@@ -36,7 +39,8 @@ static ABORT_ON_PANIC: AtomicBool = AtomicBool::new(false);
 impl Comm {
     /// Initialises MPI and makes a panic on any thread of any rank end the whole job.
     pub fn start() -> Self {
-        let (universe, _level) = mpi::initialize_with_threading(mpi::Threading::Funneled).expect("MPI is initialised once");
+        let (universe, _level) =
+            mpi::initialize_with_threading(mpi::Threading::Funneled).expect("MPI is initialised once");
         let world = universe.world();
         let (rank, size) = (world.rank() as usize, world.size() as usize);
         let raw = world.as_raw();
@@ -57,8 +61,10 @@ impl Comm {
             round: Cell::new(0),
             exchanges: Cell::new(0),
             waited: Cell::new(0.0),
+            waited_cpu: Cell::new(0.0),
             sent: Cell::new(0),
             pieces: RefCell::new(Vec::new()),
+            mine: RefCell::new(Vec::new()),
         }
     }
 
@@ -91,15 +97,21 @@ impl Comm {
         self.waited.get()
     }
 
+    /// Processor time of those waits, s: they spin where there are cores enough, and yield where there are not.
+    pub fn wait_cpu_seconds(&self) -> f64 {
+        self.waited_cpu.get()
+    }
+
     /// Bytes this rank has sent point to point so far.
     pub fn bytes_sent(&self) -> u64 {
         self.sent.get()
     }
 
     fn waiting<T>(&self, f: impl FnOnce() -> T) -> T {
-        let start = Instant::now();
+        let (start, cpu) = (Instant::now(), thread_cpu_seconds());
         let out = f();
         self.waited.set(self.waited.get() + start.elapsed().as_secs_f64());
+        self.waited_cpu.set(self.waited_cpu.get() + thread_cpu_seconds() - cpu);
         out
     }
 
@@ -130,12 +142,20 @@ impl Comm {
         if self.size == 1 || values.is_empty() {
             return;
         }
-        let mut out = values.to_vec();
+        let mut mine = self.mine.borrow_mut();
+        mine.clear();
+        mine.extend_from_slice(bytemuck::cast_slice(values));
         // SAFETY: both buffers hold `values.len()` elements of the type named.
         self.waiting(|| unsafe {
-            ffi::MPI_Allreduce(values.as_ptr().cast(), out.as_mut_ptr().cast(), values.len() as i32, kind, op, self.raw)
+            ffi::MPI_Allreduce(
+                mine.as_ptr().cast(),
+                values.as_mut_ptr().cast(),
+                values.len() as i32,
+                kind,
+                op,
+                self.raw,
+            )
         });
-        values.copy_from_slice(&out);
     }
 
     /// The values of all ranks, in rank order; every rank gives equally many.
@@ -197,7 +217,15 @@ impl Comm {
             let headers: Vec<u64> = outgoing.iter().map(|(_, words)| words.len() as u64).collect();
             for ((to, words), header) in outgoing.iter().zip(&headers) {
                 let mut request = std::mem::zeroed();
-                ffi::MPI_Issend((header as *const u64).cast(), 8, ffi::RSMPI_UINT8_T, *to as i32, tag, self.raw, &mut request);
+                ffi::MPI_Issend(
+                    (header as *const u64).cast(),
+                    8,
+                    ffi::RSMPI_UINT8_T,
+                    *to as i32,
+                    tag,
+                    self.raw,
+                    &mut request,
+                );
                 requests.push(request);
                 for piece in bytemuck::cast_slice::<u64, u8>(words).chunks(PIECE) {
                     ffi::MPI_Isend(
@@ -225,7 +253,15 @@ impl Comm {
                     ffi::MPI_Recv((&raw mut header).cast(), 8, byte, from, tag, self.raw, &mut status);
                     let mut words = vec![0u64; header as usize];
                     for piece in bytemuck::cast_slice_mut::<u64, u8>(&mut words).chunks_mut(PIECE) {
-                        ffi::MPI_Recv(piece.as_mut_ptr().cast(), piece.len() as i32, byte, from, tag + 2, self.raw, &mut status);
+                        ffi::MPI_Recv(
+                            piece.as_mut_ptr().cast(),
+                            piece.len() as i32,
+                            byte,
+                            from,
+                            tag + 2,
+                            self.raw,
+                            &mut status,
+                        );
                     }
                     received.push((from as usize, words));
                 } else if in_barrier {
@@ -249,6 +285,17 @@ impl Comm {
     pub fn finish(mut self) {
         self.universe.take();
     }
+}
+
+/// Processor time of the calling thread, s.
+fn thread_cpu_seconds() -> f64 {
+    // SAFETY: fills the structure it is given.
+    let time = unsafe {
+        let mut time: libc::timespec = std::mem::zeroed();
+        libc::clock_gettime(libc::CLOCK_THREAD_CPUTIME_ID, &mut time);
+        time
+    };
+    time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
 }
 
 /// A fixed pattern of messages, sent again and again: persistent requests over two buffers that it owns.
@@ -279,7 +326,15 @@ impl Exchange {
                 rest = after;
                 for part in mine.chunks_mut(piece) {
                     let mut request = std::mem::zeroed();
-                    ffi::MPI_Recv_init(part.as_mut_ptr().cast(), part.len() as i32, double, from as i32, tag, comm.raw, &mut request);
+                    ffi::MPI_Recv_init(
+                        part.as_mut_ptr().cast(),
+                        part.len() as i32,
+                        double,
+                        from as i32,
+                        tag,
+                        comm.raw,
+                        &mut request,
+                    );
                     requests.push(request);
                 }
             }
@@ -289,7 +344,15 @@ impl Exchange {
                 rest = after;
                 for part in mine.chunks_mut(piece) {
                     let mut request = std::mem::zeroed();
-                    ffi::MPI_Send_init(part.as_ptr().cast(), part.len() as i32, double, to as i32, tag, comm.raw, &mut request);
+                    ffi::MPI_Send_init(
+                        part.as_ptr().cast(),
+                        part.len() as i32,
+                        double,
+                        to as i32,
+                        tag,
+                        comm.raw,
+                        &mut request,
+                    );
                     requests.push(request);
                 }
             }
@@ -324,7 +387,12 @@ impl Exchange {
             let mut flag = 0;
             // SAFETY: persistent requests stay valid when complete.
             unsafe {
-                ffi::MPI_Testall(self.requests.len() as i32, self.requests.as_mut_ptr(), &mut flag, ffi::RSMPI_STATUSES_IGNORE)
+                ffi::MPI_Testall(
+                    self.requests.len() as i32,
+                    self.requests.as_mut_ptr(),
+                    &mut flag,
+                    ffi::RSMPI_STATUSES_IGNORE,
+                )
             };
             self.running = flag == 0;
         }

@@ -2,14 +2,14 @@
 //!
 //! rho bulk density, kg/m^3; L velocity gradient, 1/s.
 //! Columns: acts on the core column `density`, owns none.
-//! Time step: |tr L| dt <= 0.2, so that a prediction from the rate of the step before cannot take the density near zero
+//! Time step: |tr L| dt <= 0.4, so that a prediction from the rate of the step before cannot take the density near zero
 //! and a shock front is not crossed within one step.
 
 use super::{Core, Local, MaterialEffect, Setup, StepLimit};
 use crate::particles::{Integrated, Registry};
 
 /// Largest change of volume within one step.
-const LARGEST_STRAIN: f64 = 0.2;
+const LARGEST_STRAIN: f64 = 0.4;
 /// Density below which a particle is not followed, as a fraction of the one its body starts with. Spray as thin as this
 /// moves freely, and formulas with 1 / rho stay finite.
 const LOWEST_FRACTION: f64 = 1e-6;
@@ -95,7 +95,7 @@ mod tests {
     fn step_limit_bounds_the_change_of_volume() {
         let mut rig = Rig::new(gas());
         let limit = rig.step(&Mat3::from_diagonal_element(-2.0), 0.0).unwrap();
-        assert_eq!(limit.dt, 0.2 / 6.0);
+        assert_eq!(limit.dt, 0.4 / 6.0);
         assert!(rig.step(&Mat3::zeros(), 0.0).is_none());
     }
 

@@ -44,6 +44,7 @@ pub fn width() -> Width {
 /// # Safety
 /// Every method may only run on a processor with the instruction set of the implementing type; `read_quad` further reads
 /// four numbers behind each of the eight offsets.
+#[allow(clippy::missing_safety_doc)]
 pub unsafe trait Lanes: Copy {
     type Mask: Copy;
     unsafe fn splat(x: f64) -> Self;
@@ -155,6 +156,73 @@ unsafe impl Lanes for Portable {
     }
 }
 
+// Helpers of the wide types are functions, not closures: a closure around intrinsics is not inlined into the entry
+// function, and the loop then runs several times slower.
+
+/// Four numbers behind each of four offsets, one vector per number.
+///
+/// # Safety
+/// Needs AVX2, and four numbers behind each offset.
+#[inline(always)]
+unsafe fn transpose4(base: *const f64, offsets: [usize; 4]) -> [__m256d; 4] {
+    unsafe {
+        let (r0, r1) = (_mm256_loadu_pd(base.add(offsets[0])), _mm256_loadu_pd(base.add(offsets[1])));
+        let (r2, r3) = (_mm256_loadu_pd(base.add(offsets[2])), _mm256_loadu_pd(base.add(offsets[3])));
+        let (a, b) = (_mm256_unpacklo_pd(r0, r1), _mm256_unpackhi_pd(r0, r1));
+        let (c, d) = (_mm256_unpacklo_pd(r2, r3), _mm256_unpackhi_pd(r2, r3));
+        [
+            _mm256_permute2f128_pd::<0x20>(a, c),
+            _mm256_permute2f128_pd::<0x20>(b, d),
+            _mm256_permute2f128_pd::<0x31>(a, c),
+            _mm256_permute2f128_pd::<0x31>(b, d),
+        ]
+    }
+}
+
+/// Sums of two vectors' lanes: hadd(a, b) = a0+a1, b0+b1, a2+a3, b2+b3; then halves are added, low with low first.
+///
+/// # Safety
+/// Needs AVX2.
+#[inline(always)]
+unsafe fn fold_two(a: Avx2, b: Avx2) -> __m128d {
+    unsafe {
+        let (low, high) = (_mm256_hadd_pd(a.0, b.0), _mm256_hadd_pd(a.1, b.1));
+        let low = _mm_add_pd(_mm256_castpd256_pd128(low), _mm256_extractf128_pd::<1>(low));
+        let high = _mm_add_pd(_mm256_castpd256_pd128(high), _mm256_extractf128_pd::<1>(high));
+        _mm_add_pd(low, high)
+    }
+}
+
+/// The halves behind two offsets in one register.
+///
+/// # Safety
+/// Needs AVX-512F, and four numbers behind each offset.
+#[inline(always)]
+unsafe fn join(base: *const f64, low: usize, high: usize) -> __m512d {
+    unsafe {
+        let low = _mm512_castpd256_pd512(_mm256_loadu_pd(base.add(low)));
+        _mm512_insertf64x4::<1>(low, _mm256_loadu_pd(base.add(high)))
+    }
+}
+
+/// Neighbouring lanes of two vectors added.
+///
+/// # Safety
+/// Needs AVX-512F.
+#[inline(always)]
+unsafe fn add_neighbours(a: Avx512, b: Avx512) -> __m512d {
+    unsafe { _mm512_add_pd(_mm512_unpacklo_pd(a.0, b.0), _mm512_unpackhi_pd(a.0, b.0)) }
+}
+
+/// Neighbouring blocks of 128 bits of two vectors added.
+///
+/// # Safety
+/// Needs AVX-512F.
+#[inline(always)]
+unsafe fn add_blocks(a: __m512d, b: __m512d) -> __m512d {
+    unsafe { _mm512_add_pd(_mm512_shuffle_f64x2::<0x88>(a, b), _mm512_shuffle_f64x2::<0xdd>(a, b)) }
+}
+
 /// Two halves of four lanes, AVX2 with FMA.
 #[derive(Clone, Copy)]
 pub struct Avx2(__m256d, __m256d);
@@ -217,35 +285,17 @@ unsafe impl Lanes for Avx2 {
     #[inline(always)]
     unsafe fn read_quad(base: *const f64, offsets: &[usize; LANES]) -> [Self; 4] {
         unsafe {
-            let half = |k: usize| {
-                let row = |i: usize| _mm256_loadu_pd(base.add(offsets[k + i]));
-                let (r0, r1, r2, r3) = (row(0), row(1), row(2), row(3));
-                let (a, b) = (_mm256_unpacklo_pd(r0, r1), _mm256_unpackhi_pd(r0, r1));
-                let (c, d) = (_mm256_unpacklo_pd(r2, r3), _mm256_unpackhi_pd(r2, r3));
-                [
-                    _mm256_permute2f128_pd::<0x20>(a, c),
-                    _mm256_permute2f128_pd::<0x20>(b, d),
-                    _mm256_permute2f128_pd::<0x31>(a, c),
-                    _mm256_permute2f128_pd::<0x31>(b, d),
-                ]
-            };
-            let (low, high) = (half(0), half(4));
+            let low = transpose4(base, [offsets[0], offsets[1], offsets[2], offsets[3]]);
+            let high = transpose4(base, [offsets[4], offsets[5], offsets[6], offsets[7]]);
             [Avx2(low[0], high[0]), Avx2(low[1], high[1]), Avx2(low[2], high[2]), Avx2(low[3], high[3])]
         }
     }
     #[inline(always)]
     unsafe fn fold(v: [Self; 8]) -> [f64; 8] {
         unsafe {
-            // hadd(a, b) = a0+a1, b0+b1, a2+a3, b2+b3: then halves are added, low with low first.
-            let pair = |a: Self, b: Self| {
-                let (low, high) = (_mm256_hadd_pd(a.0, b.0), _mm256_hadd_pd(a.1, b.1));
-                let low = _mm_add_pd(_mm256_castpd256_pd128(low), _mm256_extractf128_pd::<1>(low));
-                let high = _mm_add_pd(_mm256_castpd256_pd128(high), _mm256_extractf128_pd::<1>(high));
-                _mm_add_pd(low, high)
-            };
             let mut out = [0.0; 8];
             for k in 0..4 {
-                _mm_storeu_pd(out.as_mut_ptr().add(2 * k), pair(v[2 * k], v[2 * k + 1]));
+                _mm_storeu_pd(out.as_mut_ptr().add(2 * k), fold_two(v[2 * k], v[2 * k + 1]));
             }
             out
         }
@@ -262,7 +312,7 @@ unsafe impl Lanes for Avx2 {
 
 /// One register of eight lanes, AVX-512.
 #[derive(Clone, Copy)]
-pub struct Avx512(__m512d);
+pub struct Avx512(pub __m512d);
 
 // SAFETY: intrinsics of AVX-512F, which the entry function enables.
 unsafe impl Lanes for Avx512 {
@@ -322,11 +372,8 @@ unsafe impl Lanes for Avx512 {
     #[inline(always)]
     unsafe fn read_quad(base: *const f64, offsets: &[usize; LANES]) -> [Self; 4] {
         unsafe {
-            let two = |a: usize, b: usize| {
-                let low = _mm512_castpd256_pd512(_mm256_loadu_pd(base.add(offsets[a])));
-                _mm512_insertf64x4::<1>(low, _mm256_loadu_pd(base.add(offsets[b])))
-            };
-            let (z0, z1, z2, z3) = (two(0, 2), two(1, 3), two(4, 6), two(5, 7));
+            let (z0, z1) = (join(base, offsets[0], offsets[2]), join(base, offsets[1], offsets[3]));
+            let (z2, z3) = (join(base, offsets[4], offsets[6]), join(base, offsets[5], offsets[7]));
             let (a, b) = (_mm512_unpacklo_pd(z0, z1), _mm512_unpackhi_pd(z0, z1));
             let (c, d) = (_mm512_unpacklo_pd(z2, z3), _mm512_unpackhi_pd(z2, z3));
             [
@@ -340,12 +387,9 @@ unsafe impl Lanes for Avx512 {
     #[inline(always)]
     unsafe fn fold(v: [Self; 8]) -> [f64; 8] {
         unsafe {
-            let neighbours =
-                |a: Self, b: Self| _mm512_add_pd(_mm512_unpacklo_pd(a.0, b.0), _mm512_unpackhi_pd(a.0, b.0));
-            let blocks = |a, b| _mm512_add_pd(_mm512_shuffle_f64x2::<0x88>(a, b), _mm512_shuffle_f64x2::<0xdd>(a, b));
-            let (a, b) = (neighbours(v[0], v[1]), neighbours(v[2], v[3]));
-            let (c, d) = (neighbours(v[4], v[5]), neighbours(v[6], v[7]));
-            let sums = blocks(blocks(a, b), blocks(c, d));
+            let (a, b) = (add_neighbours(v[0], v[1]), add_neighbours(v[2], v[3]));
+            let (c, d) = (add_neighbours(v[4], v[5]), add_neighbours(v[6], v[7]));
+            let sums = add_blocks(add_blocks(a, b), add_blocks(c, d));
             let mut out = [0.0; 8];
             _mm512_storeu_pd(out.as_mut_ptr(), sums);
             out
@@ -362,6 +406,9 @@ mod tests {
     use super::*;
 
     /// A sample of all operations, as bits.
+    ///
+    /// # Safety
+    /// As for [`Lanes`].
     #[inline(always)]
     unsafe fn sample<L: Lanes>(data: &[f64], offsets: &[usize; 8]) -> Vec<u64> {
         unsafe {
@@ -383,10 +430,14 @@ mod tests {
             bits
         }
     }
+    /// # Safety
+    /// As for [`sample`].
     #[target_feature(enable = "avx2,fma")]
     unsafe fn sample_avx2(data: &[f64], offsets: &[usize; 8]) -> Vec<u64> {
         unsafe { sample::<Avx2>(data, offsets) }
     }
+    /// # Safety
+    /// As for [`sample`].
     #[target_feature(enable = "avx512f,avx512vl,avx2,fma")]
     unsafe fn sample_avx512(data: &[f64], offsets: &[usize; 8]) -> Vec<u64> {
         unsafe { sample::<Avx512>(data, offsets) }

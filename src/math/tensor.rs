@@ -153,11 +153,8 @@ impl Deviator {
     /// Omega S - S Omega with the spin Omega = (L - L^T)/2: the stress turns with the body (Jaumann rate).
     #[inline]
     pub fn turned_by(&self, l: &Mat3) -> Self {
-        let (wxy, wxz, wyz) = (
-            0.5 * (l[(0, 1)] - l[(1, 0)]),
-            0.5 * (l[(0, 2)] - l[(2, 0)]),
-            0.5 * (l[(1, 2)] - l[(2, 1)]),
-        );
+        let (wxy, wxz, wyz) =
+            (0.5 * (l[(0, 1)] - l[(1, 0)]), 0.5 * (l[(0, 2)] - l[(2, 0)]), 0.5 * (l[(1, 2)] - l[(2, 1)]));
         let zz = self.zz();
         Self {
             xx: 2.0 * (wxy * self.xy + wxz * self.xz),

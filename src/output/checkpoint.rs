@@ -85,7 +85,7 @@ pub fn write(
     let file = CollectiveFile::create(&temporary(&path), comm)?;
     let (_, particles) = file.places(columns.len());
     let header = Header { dimension: columns.registry.dimension, particles: particles as u64, meta: meta.clone() };
-    write_header(&file, &header)?;
+    write_header(&file, &header, comm)?;
     file.group("/columns")?;
     let which = state_columns(columns);
     for (&index, sum) in which.iter().zip(checksums(columns, id, &which, comm)) {
@@ -103,10 +103,12 @@ pub fn write(
     publish(&path, comm)
 }
 
-fn write_header(file: &CollectiveFile, header: &Header) -> Result<()> {
-    let text = serde_json::to_string_pretty(header).map_err(|e| Error::new(e.to_string()))?;
-    file.write_on_root("/header", text.as_bytes())?;
-    file.attribute("/header", "checksum", Value::Text(&blake3::hash(text.as_bytes()).to_string()))
+/// Ranks may differ in what they put there, in wall times say: rank 0's text counts.
+fn write_header(file: &CollectiveFile, header: &Header, comm: &Comm) -> Result<()> {
+    let mut text = serde_json::to_vec_pretty(header).map_err(|e| Error::new(e.to_string()))?;
+    comm.broadcast(&mut text);
+    file.write_on_root("/header", &text)?;
+    file.attribute("/header", "checksum", Value::Text(&blake3::hash(&text).to_string()))
 }
 
 /// The new file is whole by now, if under its temporary name: at no moment is there none.

@@ -34,7 +34,7 @@ pub struct Summary {
     pub wall_seconds: f64,
     /// Waits inside MPI, summed over ranks.
     pub mpi_wait_seconds: f64,
-    /// User and system time of all threads of all ranks, less the MPI waits, which spin.
+    /// User and system time of all threads of all ranks, less what MPI waits spun away.
     pub core_seconds: f64,
     /// Directed, inside the support.
     pub pair_interactions: u64,
@@ -74,10 +74,11 @@ pub struct Summary {
 pub struct Threshold {
     pub q_star_d: f64,
     pub q_star_rd: f64,
-    /// Of Q*_D: half the bracket, scatter about the fit and shift between the two times of evaluation, combined.
+    /// Of Q*_D: half the bracket, residual of the fit, shift between the two times of evaluation and scatter between
+    /// realisations, combined.
     pub uncertainty: f64,
     pub uncertainty_of_q_star_rd: f64,
-    /// Parts of the uncertainty of Q*_D: bracket, residual, shift.
+    /// Parts of the uncertainty of Q*_D: bracket, residual, shift, scatter.
     pub uncertainty_parts: Figures,
     /// Slope s of M_lr / M_T = 1/2 - s (Q / Q*_D - 1).
     pub slope: f64,

@@ -1,21 +1,19 @@
 //! Correction of the velocity gradient, L M^-1, exact for linear velocity fields and so free of strain in rigid rotation
-//! (REFERENCE 1.1, E16). M needs neighbours in all directions: where they are too few or lie in a plane or on a line, the
-//! uncorrected gradient stands.
+//! (Geretshauser et al. 2010, Eqs. 13-15, with x_j - x_i in both). M needs neighbours in all directions: where they are too
+//! few or lie in a plane or on a line, the uncorrected gradient stands.
 
 use crate::math::{Mat3, Sym};
 
-/// Largest trace(M) trace(M^-1) that is inverted; it reaches this when the smallest of three eigenvalues is about 0.05 of
-/// the largest.
-const MAX_CONDITION: f64 = 45.0;
-
-/// The same in 2D: lambda_min = 0.05 lambda_max gives (1.05)(21) = 22.
-const MAX_CONDITION_2D: f64 = 22.0;
+/// Largest trace(M^-1) that is used. With neighbours all around, M is about 1; one eigenvalue then may fall to 0.04. It does
+/// where neighbours lie in a plane or on a line, and all do in spray, whose few distant neighbours say nothing reliable
+/// about a gradient and would only let strain rates of single particles cut the time step.
+const MOST_INVERSE: f64 = 30.0;
 
 /// M^-1, or nothing where the neighbourhood is degenerate. In 2D only xx, yy and xy of `m` count.
 pub fn inverse<const D: usize>(m: &Sym) -> Option<Sym> {
     if D == 2 {
         let (det, trace) = (m.xx * m.yy - m.xy * m.xy, m.xx + m.yy);
-        if !(det > 0.0 && trace > 0.0 && trace * trace <= MAX_CONDITION_2D * det) {
+        if !(det > 0.0 && trace > 0.0 && trace <= MOST_INVERSE * det) {
             return None;
         }
         let f = 1.0 / det;
@@ -29,7 +27,7 @@ pub fn inverse<const D: usize>(m: &Sym) -> Option<Sym> {
     let yz = m.xy * m.xz - m.yz * m.xx;
     let det = m.xx * xx + m.xy * xy + m.xz * xz;
     let trace = m.trace();
-    if !(det > 0.0 && trace > 0.0 && trace * (xx + yy + zz) <= MAX_CONDITION * det) {
+    if !(det > 0.0 && trace > 0.0 && xx + yy + zz <= MOST_INVERSE * det) {
         return None;
     }
     let f = 1.0 / det;
@@ -77,6 +75,7 @@ mod tests {
             vec![[1.0, 1.0, 0.0], [-2.0, -2.0, 0.0]],
             vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.3, 0.0]],
             vec![[1.0, 0.0, 0.01], [0.0, 1.0, 0.0], [-1.0, 0.3, -0.01]],
+            vec![[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]],
         ] {
             let (m, sum) = neighbourhood(&points);
             let g = Mat3::new(0.5, -1.0, 0.4, 1.0, 0.3, 2.0, -0.4, -2.0, 0.1);

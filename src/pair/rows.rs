@@ -2,11 +2,11 @@
 //! Neighbour k of a row stands on lane k mod 8; lanes are folded in one fixed order. Rows are padded with a record that
 //! adds exact zeros.
 
+use super::Pair;
 use super::artificial_stress;
 use super::record::{Layout, Terms, Viscosity};
 use super::stress::{PairStress, add_pressure_force};
 use super::viscosity::{Inputs, viscous};
-use super::Pair;
 use crate::kernel::Shape;
 use crate::math::lanes::{LANES, Lanes};
 
@@ -79,9 +79,8 @@ impl<L: Lanes> Side<L> {
     #[inline(always)]
     fn stress<F: Form>(&self, from: usize) -> [L; 6] {
         let mut s = [self.words[from]; 6];
-        for k in 0..F::LAYOUT.tensor_words() {
-            s[k] = self.words[from + k];
-        }
+        let words = F::LAYOUT.tensor_words();
+        s[..words].copy_from_slice(&self.words[from..from + words]);
         s
     }
 }
@@ -117,9 +116,7 @@ pub unsafe fn sum_rows<L: Lanes, F: Form, const D: usize>(
                 let mut j = Side { words: [L::splat(0.0); 24] };
                 for quad in 0..F::LAYOUT.words().div_ceil(4) {
                     let four = L::read_quad(base.add(4 * quad), &offsets);
-                    for k in 0..4 {
-                        j.words[4 * quad + k] = four[k];
-                    }
+                    j.words[4 * quad..4 * quad + 4].copy_from_slice(&four);
                 }
                 interact::<L, F, D>(&i, &j, fixed, &mut sums);
             }
@@ -129,6 +126,9 @@ pub unsafe fn sum_rows<L: Lanes, F: Form, const D: usize>(
 }
 
 /// Every term of one set of eight pairs.
+///
+/// # Safety
+/// As for [`Lanes`].
 #[inline(always)]
 unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, fixed: [L; 3], sums: &mut Sums<L>) {
     unsafe {
@@ -171,11 +171,8 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
         };
 
         // Mean of both kernels' slopes, times V_j.
-        let slope_of = |g: L| {
-            let g2 = g.mul(g);
-            F::Kernel::slope_lanes(r.mul(g)).mul(if D == 2 { g2.mul(g) } else { g2.mul(g2) })
-        };
-        pair.slope = slope_of(g_i).add(slope_of(g_j)).mul(norm).mul(j.at(layout.volume())).mul(r_inverse);
+        let slopes = slope::<L, F, D>(r, g_i).add(slope::<L, F, D>(r, g_j));
+        pair.slope = slopes.mul(norm).mul(j.at(layout.volume())).mul(r_inverse);
         for a in 0..D {
             pair.gradient[a] = pair.slope.mul(x[a]);
         }
@@ -221,13 +218,27 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
     }
 }
 
+/// h^-(d+1) times the kernel's slope, from r and 1/h.
+#[inline(always)]
+unsafe fn slope<L: Lanes, F: Form, const D: usize>(r: L, g: L) -> L {
+    unsafe {
+        let g2 = g.mul(g);
+        F::Kernel::slope_lanes(r.mul(g)).mul(if D == 2 { g2.mul(g) } else { g2.mul(g2) })
+    }
+}
+
+/// Sums of one row, from eight lanes to one.
+///
+/// # Safety
+/// As for [`Lanes`].
 #[inline(always)]
 unsafe fn fold<L: Lanes, F: Form, const D: usize>(sums: &Sums<L>) -> RowSums {
     unsafe {
         let count = D + D * D + 1 + if F::TERMS.correction { F::LAYOUT.tensor_words() } else { 0 };
         let mut flat = [0.0; MOST_SUMS];
         for group in 0..count.div_ceil(8) {
-            let v = std::array::from_fn(|k| sums.folded[8 * group + k]);
+            let mut v = [sums.approach; 8];
+            v.copy_from_slice(&sums.folded[8 * group..8 * group + 8]);
             flat[8 * group..8 * group + 8].copy_from_slice(&L::fold(v));
         }
         let mut out = RowSums { approach: sums.approach.fold_max(), neighbours: sums.neighbours, ..RowSums::default() };

@@ -283,7 +283,8 @@ impl Columns {
     #[inline]
     pub fn set<T: Element>(&mut self, column: Column<T>, i: usize, value: T) {
         let width = self.registry.entries[column.index].width;
-        let words = std::cell::Cell::from_mut(&mut self.words[column.index][i * width..(i + 1) * width]).as_slice_of_cells();
+        let words =
+            std::cell::Cell::from_mut(&mut self.words[column.index][i * width..(i + 1) * width]).as_slice_of_cells();
         value.store(|k, w| words[k].set(w), width);
     }
 

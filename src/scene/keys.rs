@@ -19,9 +19,9 @@ fn explain(document: &Document, path: &str, message: &str) -> Error {
         let (found, known) = names(rest);
         // The path of an unknown key ends in the key or in its table.
         let path = if path.rsplit('.').next() == Some(&found) { path.to_string() } else { join(path, &found) };
-        let bodies =
-            if path.contains('.') { Vec::new() } else { document.body_names().iter().map(|n| n.to_string()).collect() };
-        return unknown(document, &path, "key", &found, &[bodies, known].concat());
+        let others = if path.contains('.') { document.shape_keys(&path) } else { document.body_names() };
+        let others = others.iter().map(|name| name.to_string()).collect();
+        return unknown(document, &path, "key", &found, &[others, known].concat());
     }
     if let Some(rest) = message.strip_prefix("unknown variant ") {
         let (found, known) = names(rest);

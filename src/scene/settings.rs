@@ -176,6 +176,8 @@ pub struct RawThreshold {
     max: Option<Length>,
     #[serde(default = "sixteen")]
     max_impacts: u32,
+    #[serde(default = "three")]
+    repeats: u32,
 }
 
 fn five_per_cent() -> Number {
@@ -184,6 +186,10 @@ fn five_per_cent() -> Number {
 
 fn sixteen() -> u32 {
     16
+}
+
+fn three() -> u32 {
+    3
 }
 
 /// A search for the projectile that disperses half of the target.
@@ -197,6 +203,9 @@ pub struct Threshold {
     pub min: Option<f64>,
     pub max: Option<f64>,
     pub max_impacts: u32,
+    /// Impacts at the threshold with other flaws and another orientation of the target's lattice: their scatter is part of
+    /// the uncertainty. None, or two and more.
+    pub repeats: u32,
 }
 
 impl RawThreshold {
@@ -208,16 +217,20 @@ impl RawThreshold {
         }
         let min = self.min.map(|x| positive(document, "threshold.min", x.0, x)).transpose()?;
         let max = self.max.map(|x| positive(document, "threshold.max", x.0, x)).transpose()?;
-        if let (Some(low), Some(high)) = (min, max) {
-            if low >= high {
-                return Err(document.error("threshold.min", format!("{} is not below max", Length::new(low))));
-            }
+        if let (Some(low), Some(high)) = (min, max)
+            && low >= high
+        {
+            return Err(document.error("threshold.min", format!("{} is not below max", Length::new(low))));
         }
         if self.max_impacts < 2 {
             return Err(document.error("threshold.max_impacts", "a bracket needs two impacts").allowed("2 or more"));
         }
+        if self.repeats == 1 {
+            return Err(document.error("threshold.repeats", "one impact shows no scatter").allowed("0, or 2 and more"));
+        }
         let tolerance = within(document, "threshold.tolerance", self.tolerance, 1e-4, 1.0)?;
-        Ok(Threshold { vary: self.vary.clone(), tolerance, min, max, max_impacts: self.max_impacts })
+        let Self { max_impacts, repeats, .. } = *self;
+        Ok(Threshold { vary: self.vary.clone(), tolerance, min, max, max_impacts, repeats })
     }
 }
 

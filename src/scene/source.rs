@@ -63,6 +63,14 @@ impl<'a> Document<'a> {
         bodies.into_iter().flatten().filter_map(|b| b.get("name")?.as_str()).collect()
     }
 
+    /// Keys of the shape of the body that an override addresses, which stand directly under its name there.
+    pub fn shape_keys(&self, path: &str) -> Vec<&str> {
+        let number = path.strip_prefix("body.").and_then(|rest| rest.split('.').next()?.parse::<usize>().ok());
+        let Some(number) = number.filter(|_| self.set.iter().any(|(set, _)| set == path)) else { return Vec::new() };
+        let shape = self.tree["body"].get(number).and_then(|body| body.get("shape")?.as_table()?.iter().next());
+        shape.and_then(|(_, keys)| keys.as_table()).map_or(Vec::new(), |keys| keys.keys().map(String::as_str).collect())
+    }
+
     /// File, line and key, or the override that gave the key its value.
     pub fn place(&self, path: &str) -> String {
         let within = |outer: &str, inner: &str| inner == outer || inner.starts_with(&format!("{outer}."));

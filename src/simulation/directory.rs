@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::output::agree;
+use crate::output::checkpoint::{NEWEST, PREVIOUS};
 
 /// `runs/<name of the scene file>`.
 pub fn default_directory(scene: &Path) -> PathBuf {
@@ -14,6 +15,20 @@ pub fn default_directory(scene: &Path) -> PathBuf {
 /// Makes the directory; what stands there under that name is renamed to `.1`, `.2`, ... unless the run is resumed. Collective.
 pub fn prepare(path: &Path, resume: bool, comm: &Comm) -> Result<()> {
     agree(comm, if comm.is_root() { prepare_alone(path, resume) } else { Ok(()) })
+}
+
+/// Fails where there is nothing to go on from: a checkpoint, or one in a folder of the directory, as a search has one for
+/// each impact. Collective.
+pub fn require_checkpoint(path: &Path, comm: &Comm) -> Result<()> {
+    let holds = |folder: &Path| [NEWEST, PREVIOUS].iter().any(|name| folder.join(name).exists());
+    let look = || {
+        let folders = std::fs::read_dir(path).into_iter().flatten().flatten();
+        if holds(path) || folders.map(|entry| entry.path()).any(|folder| holds(&folder)) {
+            return Ok(());
+        }
+        Err(Error::new("there is no checkpoint to go on from").at(path.display().to_string()))
+    };
+    agree(comm, if comm.is_root() { look() } else { Ok(()) })
 }
 
 fn prepare_alone(path: &Path, resume: bool) -> Result<()> {

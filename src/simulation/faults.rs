@@ -1,5 +1,5 @@
-//! Faults on demand, for tests: `SPH_MPI_FAULT=panic:RANK:STEP` panics on that rank at that step, `kill:RANK:STEP` ends the
-//! process there without a word, `stop:RANK:STEP` behaves as if SIGTERM had come. Costs one comparison per step.
+//! Faults on demand, for tests: `SPH_MPI_FAULT=panic:RANK:STEP` panics on that rank at that step, `pool:RANK:STEP` does so on
+//! the other threads of its pool, `kill:RANK:STEP` ends the process there without a word, `stop:RANK:STEP` behaves as if SIGTERM had come. Costs one comparison per step.
 
 /// What is to happen on this rank, and when.
 #[derive(Debug, Clone, Copy, Default)]
@@ -11,6 +11,7 @@ pub struct Fault {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Kind {
     Panic,
+    Pool,
     Kill,
     Stop,
 }
@@ -22,6 +23,7 @@ impl Fault {
         let mut parts = text.split(':');
         let kind = match parts.next() {
             Some("panic") => Kind::Panic,
+            Some("pool") => Kind::Pool,
             Some("kill") => Kind::Kill,
             Some("stop") => Kind::Stop,
             _ => return Self::default(),
@@ -40,6 +42,10 @@ impl Fault {
         }
         match self.kind {
             Some(Kind::Panic) => panic!("a panic was asked for at step {step}"),
+            Some(Kind::Pool) => {
+                rayon::broadcast(|thread| assert_eq!(thread.index(), 0, "a panic was asked for at step {step}"));
+                false
+            }
             Some(Kind::Kill) => {
                 // SAFETY: ends this process.
                 unsafe { libc::raise(libc::SIGKILL) };

@@ -26,11 +26,11 @@ impl Write for Tee {
             Some(bar) => bar.suspend(|| std::io::stderr().write_all(bytes))?,
             None => std::io::stderr().write_all(bytes)?,
         }
-        if self.rank == 0 {
-            if let Some(file) = LOG_FILE.lock().unwrap().as_mut() {
-                // A full disk must not stop the log on the terminal; the run's own files report it.
-                let _ = file.write_all(bytes);
-            }
+        if self.rank == 0
+            && let Some(file) = LOG_FILE.lock().unwrap().as_mut()
+        {
+            // A full disk must not stop the log on the terminal; the run's own files report it.
+            let _ = file.write_all(bytes);
         }
         Ok(bytes.len())
     }

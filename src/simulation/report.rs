@@ -40,9 +40,9 @@ pub fn history_columns(effects: &[Box<dyn MaterialEffect>], scene: &Scene) -> Ve
         ("angular_momentum_z", "kg m^2/s"),
     ];
     let planar = scene.dimension == 2;
-    let kept = fixed.iter().filter(|(name, _)| {
-        !planar || !["momentum_z", "angular_momentum_x", "angular_momentum_y"].contains(name)
-    });
+    let kept = fixed
+        .iter()
+        .filter(|(name, _)| !planar || !["momentum_z", "angular_momentum_x", "angular_momentum_y"].contains(name));
     let own = |(name, unit): &(&str, &str)| (name.to_string(), unit.to_string());
     let diagnostics = effects.iter().flat_map(|effect| effect.diagnostics());
     kept.map(own).chain(diagnostics.map(|d| (d.name.to_string(), d.unit.to_string()))).collect()
@@ -125,7 +125,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
     comm.all_sum(&mut sums);
     let [particles, ghosts, memory, list, bytes, threads] = sums.map(|x| x as f64);
     let spent = &report.spent;
-    let core_seconds = (spent.cpu - spent.wait).max(1e-9);
+    let core_seconds = spent.cpu.max(1e-9);
     let conservation = &state.conservation;
     Summary {
         title: report.scene.title.clone(),

@@ -15,9 +15,12 @@ use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::outcome::settled::Settled;
 use crate::outcome::{self, Evaluation, Outcome, Question};
-use crate::output::{CheckpointMeta, History, Snapshot, Storage, Summary, checkpoint, snapshot};
+use crate::output::publish::replace_text;
+use crate::output::{CheckpointMeta, History, Snapshot, Storage, Summary, agree, checkpoint, snapshot};
+use crate::particles::ParticleId;
 use crate::scene::{Precision, Scene, Until};
 use crate::step::phases::Phase;
+use crate::step::time_step::Limit;
 use crate::step::{Stepper, Totals};
 
 /// How a run is to be done; the scene says what.
@@ -52,12 +55,14 @@ pub struct RunReport {
 /// What ranks may ask for after a step; the largest wish counts.
 const WANTS_CHECKPOINT: u32 = 1;
 const WANTS_STOP: u32 = 2;
+/// Something failed on one rank alone; all leave together.
+const FAILED: u32 = 3;
 
 /// Runs a scene. Collective.
 pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<RunReport> {
     match scene.dimension {
-        2 => Run::<2>::open(scene, options, comm)?.to_the_end(),
-        _ => Run::<3>::open(scene, options, comm)?.to_the_end(),
+        2 => Run::<2>::open(scene, options, comm)?.run_to_end(),
+        _ => Run::<3>::open(scene, options, comm)?.run_to_end(),
     }
 }
 
@@ -72,10 +77,15 @@ struct Run<'a, const D: usize> {
     started: Instant,
     cpu_at_start: f64,
     wait_at_start: f64,
+    wait_cpu_at_start: f64,
     saved: Instant,
     fault: Fault,
     evaluation: Option<Evaluation>,
     later: Option<Outcome>,
+    /// What failed on this rank alone.
+    failed: Option<Error>,
+    /// What limits the time step.
+    limit: (Limit, &'static str),
 }
 
 impl<'a, const D: usize> Run<'a, D> {
@@ -83,9 +93,9 @@ impl<'a, const D: usize> Run<'a, D> {
     fn open(scene: &'a Scene, options: &'a Options, comm: &'a Comm) -> Result<Self> {
         let started = Instant::now();
         let (cpu_at_start, wait_at_start) = (resources::cpu_seconds(), comm.wait_seconds());
-        if comm.is_root() {
-            super::log::to_file(&options.directory.join("log.txt"), options.resume)?;
-        }
+        let wait_cpu_at_start = comm.wait_cpu_seconds();
+        let log = || super::log::to_file(&options.directory.join("log.txt"), options.resume);
+        agree(comm, if comm.is_root() { log() } else { Ok(()) })?;
         let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
         Footprint::new(scene, &plan, comm.size()).require(comm)?;
         let hash = scene_hash(scene);
@@ -102,8 +112,8 @@ impl<'a, const D: usize> Run<'a, D> {
                 tracing::info!("going on from {}", saved.path.display());
                 let mut stepper = Stepper::new(comm, saved.columns, plan.settings(scene));
                 stepper.resume();
-                let mut state: RunState =
-                    serde_json::from_str(&saved.meta.json).map_err(|e| Error::new(format!("its state cannot be read: {e}")))?;
+                let mut state: RunState = serde_json::from_str(&saved.meta.json)
+                    .map_err(|e| Error::new(format!("its state cannot be read: {e}")))?;
                 (state.counters.pairs, state.counters.updates, state.counters.migrated) = (0, 0, 0);
                 (stepper, Some(state))
             }
@@ -123,14 +133,8 @@ impl<'a, const D: usize> Run<'a, D> {
         let resumed = (state.counters.steps > 0).then_some(state.counters.steps);
         let history = History::open(&options.directory.join("history.csv"), &labels, resumed, comm)?;
         let text = scene.to_toml();
-        crate::output::agree(
-            comm,
-            if comm.is_root() {
-                crate::output::publish::replace_text(&options.directory.join("scene.toml"), &text)
-            } else {
-                Ok(())
-            },
-        )?;
+        let write = || replace_text(&options.directory.join("scene.toml"), &text);
+        agree(comm, if comm.is_root() { write() } else { Ok(()) })?;
         let fault = Fault::of_rank(comm.rank());
         let saved = Instant::now();
         Ok(Self {
@@ -144,10 +148,13 @@ impl<'a, const D: usize> Run<'a, D> {
             started,
             cpu_at_start,
             wait_at_start,
+            wait_cpu_at_start,
             saved,
             fault,
             evaluation: None,
             later: None,
+            failed: None,
+            limit: (Limit { id: ParticleId(0), ..Limit::NONE }, ""),
         })
     }
 
@@ -170,10 +177,10 @@ impl<'a, const D: usize> Run<'a, D> {
         })
     }
 
-    fn to_the_end(mut self) -> Result<RunReport> {
+    fn run_to_end(mut self) -> Result<RunReport> {
         let mut progress = Progress::new(&self.options.directory.display().to_string(), self.comm.is_root());
         if self.state.counters.steps == 0 {
-            self.write_history()?;
+            self.write_history();
             self.write_snapshot_if_due()?;
         }
         while !self.is_over() {
@@ -188,6 +195,9 @@ impl<'a, const D: usize> Run<'a, D> {
                 progress.show(self.done(), || self.describe());
             }
             self.write_snapshot_if_due()?;
+            if agreed.signal == FAILED {
+                agree(self.comm, self.failed.take().map_or(Ok(()), Err))?;
+            }
             if agreed.signal >= WANTS_CHECKPOINT {
                 self.write_checkpoint()?;
             }
@@ -197,6 +207,7 @@ impl<'a, const D: usize> Run<'a, D> {
             }
         }
         drop(progress);
+        agree(self.comm, self.failed.take().map_or(Ok(()), Err))?;
         self.finish()
     }
 
@@ -227,6 +238,9 @@ impl<'a, const D: usize> Run<'a, D> {
 
     /// This rank's wish after the coming step; rank 0 keeps the clock.
     fn wish(&self) -> u32 {
+        if self.failed.is_some() {
+            return FAILED;
+        }
         if self.fault.strike(self.state.counters.steps + 1) || signals::asked() != 0 {
             return WANTS_STOP;
         }
@@ -237,7 +251,7 @@ impl<'a, const D: usize> Run<'a, D> {
     fn note_totals(&mut self) -> Result<()> {
         self.totals = self.stepper.totals();
         self.state.conservation.note(&self.totals);
-        self.write_history()?;
+        self.write_history();
         let time = self.state.time;
         let settled = self.state.settled.as_mut().is_some_and(|settled| settled.update(time, self.totals.internal));
         if settled && self.state.outcome.is_none() {
@@ -251,18 +265,15 @@ impl<'a, const D: usize> Run<'a, D> {
         Ok(())
     }
 
-    fn write_history(&mut self) -> Result<()> {
+    fn write_history(&mut self) {
         let (limit, reason) = self.stepper.tightest_limit();
         let cells = report::history_row(&self.state, &self.totals, (&limit, reason), D == 2);
-        tracing::debug!(
-            "step {}: dt {:.3e} s, limited by {reason} of particle {} of body {} at {:?}",
-            self.state.counters.steps,
-            self.state.dt,
-            limit.id.site(),
-            limit.id.body(),
-            limit.position
-        );
-        self.history.row(&cells)
+        self.limit = (limit, reason);
+        tracing::debug!("{}", self.describe());
+        // Rank 0 writes; where it fails, all ranks hear of it with the next step.
+        if let Err(error) = self.history.row(&cells) {
+            self.failed.get_or_insert(error);
+        }
     }
 
     fn evaluate_outcome(&mut self) -> Evaluation {
@@ -270,10 +281,7 @@ impl<'a, const D: usize> Run<'a, D> {
         let core = self.stepper.settings.core;
         let particles = outcome::particles(&self.stepper.columns, &core, &self.stepper.settings.constants);
         let target = self.scene.impact.as_ref().map_or(0, |impact| impact.target);
-        let question = Question {
-            dimension: D,
-            target_mass: self.scene.bodies[target].mass(),
-        };
+        let question = Question { dimension: D, target_mass: self.scene.bodies[target].mass() };
         let evaluation = outcome::evaluate(self.comm, &particles, &question);
         self.stepper.phases.add(Phase::Outcome, start);
         evaluation
@@ -357,7 +365,8 @@ impl<'a, const D: usize> Run<'a, D> {
         let counters = &self.stepper.counters;
         let micro = |seconds: f64| (1e6 * seconds) as i64;
         let mut sums = [
-            micro(resources::cpu_seconds() - self.cpu_at_start),
+            micro(resources::cpu_seconds() - self.cpu_at_start)
+                - micro(self.comm.wait_cpu_seconds() - self.wait_cpu_at_start),
             micro(self.comm.wait_seconds() - self.wait_at_start),
             counters.pairs as i64,
             counters.updates as i64,
@@ -386,8 +395,17 @@ impl<'a, const D: usize> Run<'a, D> {
 
     fn describe(&self) -> String {
         let state = &self.state;
-        let drift = state.conservation.energy_drift();
-        format!("t {:.3e} s, step {}, dt {:.2e} s, energy drift {drift:.1e}", state.time, state.counters.steps, state.dt)
+        let (limit, reason) = &self.limit;
+        let [x, y, z] = limit.position;
+        format!(
+            "t {:.3e} s, step {}, energy drift {:.1e}, dt {:.2e} s by {reason} of {} {} at ({x:.3e}, {y:.3e}, {z:.3e}) m",
+            state.time,
+            state.counters.steps,
+            state.conservation.energy_drift(),
+            state.dt,
+            self.scene.bodies.get(limit.id.body()).map_or("", |body| &body.name),
+            limit.id.site(),
+        )
     }
 
     fn finish(mut self) -> Result<RunReport> {
@@ -415,6 +433,7 @@ impl<'a, const D: usize> Run<'a, D> {
         if self.scene.output.snapshot_interval.is_some() {
             self.write_snapshot()?;
         }
+        self.write_checkpoint()?;
         self.report(Ended::Finished)
     }
 

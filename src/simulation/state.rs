@@ -75,8 +75,11 @@ pub struct RunState {
 /// What a run has cost, over all ranks but for wall time.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 pub struct Spent {
+    /// s.
     pub wall: f64,
+    /// User and system time of all threads, that of MPI waits left out, s.
     pub cpu: f64,
+    /// MPI waits, wall time, s.
     pub wait: f64,
     pub pairs: u64,
     pub updates: u64,

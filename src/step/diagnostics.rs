@@ -63,7 +63,8 @@ pub fn totals(sources: &Sources, comm: &Comm) -> Totals {
         let u = sources.internal_energy.map_or(0.0, |u| columns.get(u, i));
         let v2 = v.norm_squared();
         let speed = v2.sqrt();
-        let fixed = [m, 0.5 * m * v2, m * u, p.x, p.y, p.z, l.x, l.y, l.z, m * speed, m * speed * x.norm_squared().sqrt()];
+        let fixed =
+            [m, 0.5 * m * v2, m * u, p.x, p.y, p.z, l.x, l.y, l.z, m * speed, m * speed * x.norm_squared().sqrt()];
         fixed.iter().zip(&mut sums).for_each(|(term, sum)| sum.add(*term));
         let mut first = FIXED;
         for (effect, count) in sources.effects.iter().zip(&counts) {

@@ -184,7 +184,11 @@ impl Physics<'_> {
             let a = &workspace.acceleration[k * dimension..(k + 1) * dimension];
             let a2: f64 = a.iter().map(|a| a * a).sum();
             let alpha_beta = self.packer.viscosity(body);
-            let cfl = time_step::cfl(self.cfl, h, sound_speed.get(k), alpha_beta, workspace.sums[k].approach);
+            let sums = &workspace.sums[k];
+            // A particle alone sends no signal to anyone, however hot it is.
+            let alone = sums.neighbours == 0;
+            let cfl = time_step::cfl(self.cfl, h, sound_speed.get(k), alpha_beta, sums.approach);
+            let cfl = if alone { f64::INFINITY } else { cfl };
             let acceleration = time_step::acceleration(self.cfl, h, a2);
             if cfl < best.0 {
                 best = (cfl, k, Limit::CFL);
@@ -214,7 +218,8 @@ impl Physics<'_> {
         let ids = chunk.view(self.core.id);
         let first = |bad: &dyn Fn(usize) -> bool| (0..n).filter(|&k| bad(k)).map(|k| ids.get(k)).min();
         if !acceleration_finite {
-            let a = |k: usize| !workspace.acceleration[k * dimension..(k + 1) * dimension].iter().all(|a| a.is_finite());
+            let a =
+                |k: usize| !workspace.acceleration[k * dimension..(k + 1) * dimension].iter().all(|a| a.is_finite());
             return first(&a).map(|id| (id, "acceleration"));
         }
         for (slot, &(value, _)) in self.registry.integrated.iter().enumerate() {
@@ -222,7 +227,8 @@ impl Physics<'_> {
             let block = &workspace.new_rates[slot][..n * entry.width];
             if !finite(block) {
                 let width = entry.width;
-                let bad = |k: usize| !block[k * width..(k + 1) * width].iter().all(|w| f64::from_bits(w.get()).is_finite());
+                let bad =
+                    |k: usize| !block[k * width..(k + 1) * width].iter().all(|w| f64::from_bits(w.get()).is_finite());
                 return first(&bad).map(|id| (id, entry.info.name));
             }
         }

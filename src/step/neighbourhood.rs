@@ -29,7 +29,6 @@ pub struct Neighbourhood<const D: usize> {
     smoothing_length: Option<(Column<f64>, Column<f64>)>,
     /// List radius over smoothing length.
     reach: f64,
-    /// Cells of the lattice are as wide as the smallest list radius of the scene.
     lattice: Lattice,
     words: usize,
     costs: Vec<u32>,
@@ -39,7 +38,7 @@ impl<const D: usize> Neighbourhood<D> {
     pub fn new(registry: &Registry, settings: &StepSettings) -> Self {
         let core = settings.core;
         let reach = SUPPORT * (1.0 + settings.skin);
-        let smallest = settings.constants.iter().map(|body| body.smoothing_length).fold(f64::INFINITY, f64::min);
+        let smoothing_length = registry.find("smoothing_length").zip(registry.find("build_smoothing_length"));
         Self {
             decomposition: None,
             list: NeighbourList::default(),
@@ -47,9 +46,9 @@ impl<const D: usize> Neighbourhood<D> {
             evaluations: 0,
             handles: Handles { id: core.id, position: core.position, build_position: core.build_position },
             core,
-            smoothing_length: registry.find("smoothing_length").zip(registry.find("build_smoothing_length")),
+            smoothing_length,
             reach,
-            lattice: Lattice::new(reach * smallest),
+            lattice: lattice(reach, &settings.constants, smoothing_length.is_some()),
             words: settings.pair_loop.layout.words(),
             costs: Vec::new(),
         }
@@ -218,4 +217,17 @@ impl<const D: usize> Neighbourhood<D> {
     pub fn ghosts(&self) -> usize {
         self.local().ghosts()
     }
+}
+
+/// Cells of one level are just as wide as the list radius of the body with the most particles: a level that missed it by
+/// little would hold its particles in cells twice as wide, with eight times the candidates. The smallest body begins at
+/// level 0. Where smoothing lengths vary, a little expansion must not lift particles to the next level either.
+fn lattice(reach: f64, constants: &[BodyConstants], varies: bool) -> Lattice {
+    let smallest = constants.iter().map(|body| body.smoothing_length).fold(f64::INFINITY, f64::min);
+    let largest_body = constants.iter().max_by_key(|body| body.particles).expect("a scene has bodies");
+    let mut side = largest_body.smoothing_length * if varies { 1.05 } else { 1.0 };
+    while side > smallest {
+        side *= 0.5;
+    }
+    Lattice::new(reach * side)
 }

@@ -105,10 +105,12 @@ impl<'c, const D: usize> Stepper<'c, D> {
         }
     }
 
-    /// New particles: distributes them, initialises their effects and evaluates once. Returns the first step.
+    /// New particles: initialises their effects, distributes them and evaluates once. Returns the first step.
     pub fn start(&mut self) -> Result<Agreed> {
-        self.rebuild(true);
+        // Smoothing lengths, on which lists stand, may be made by an effect.
+        self.find_chunks();
         self.material_pass(|physics, chunk, workspace| physics.initialise(chunk, workspace));
+        self.rebuild(true);
         self.evaluate(0.0);
         self.agree(0)
     }
@@ -299,8 +301,17 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let first = all.chunks_exact(2).min_by_key(|w| w[0]).unwrap_or(&[0, 0]);
         let name = names.get(first[1] as usize).copied().unwrap_or("state");
         let id = ParticleId(first[0]);
-        Error::new(format!("the rate of {name} is no number"))
-            .at(format!("step {}, particle {} of body {}", self.counters.steps, id.site(), id.body()))
+        Error::new(format!("the rate of {name} is no number")).at(format!(
+            "step {}, particle {} of body {}",
+            self.counters.steps,
+            id.site(),
+            id.body()
+        ))
+    }
+
+    fn find_chunks(&mut self) {
+        self.all.clear();
+        self.all.extend(0..self.columns.len().div_ceil(CHUNK) as u32);
     }
 
     /// New lists; `fresh` from the present positions, otherwise from those of the last build.
@@ -318,9 +329,8 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let start = Instant::now();
         self.neighbourhood.build_list();
         self.phases.add(Phase::Lists, start);
+        self.find_chunks();
         let count = self.columns.len();
-        self.all.clear();
-        self.all.extend(0..count.div_ceil(CHUNK) as u32);
         self.interior.clear();
         self.boundary.clear();
         let mut rest = self.neighbourhood.list.boundary.iter().peekable();
@@ -336,7 +346,8 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let lines = layout.stride() / 8;
         self.records.resize((self.neighbourhood.local().count + 1) * lines, Line([0.0; 8]));
         let padding = self.neighbourhood.local().count * layout.stride();
-        layout.padding(&mut bytemuck::cast_slice_mut::<Line, f64>(&mut self.records)[padding..padding + layout.stride()]);
+        layout
+            .padding(&mut bytemuck::cast_slice_mut::<Line, f64>(&mut self.records)[padding..padding + layout.stride()]);
     }
 }
 

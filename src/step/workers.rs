@@ -71,7 +71,8 @@ pub fn affinity_key() -> u64 {
     let host = std::fs::read("/proc/sys/kernel/hostname").unwrap_or_default();
     let set = affinity();
     // SAFETY: reads of whether a core below the set's size is in it.
-    let cores: Vec<u8> = (0..libc::CPU_SETSIZE as usize).map(|core| unsafe { libc::CPU_ISSET(core, &set) } as u8).collect();
+    let cores: Vec<u8> =
+        (0..libc::CPU_SETSIZE as usize).map(|core| unsafe { libc::CPU_ISSET(core, &set) } as u8).collect();
     let hash = blake3::hash(&[host, cores].concat());
     u64::from_le_bytes(std::array::from_fn(|k| hash.as_bytes()[k]))
 }

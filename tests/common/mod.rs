@@ -13,8 +13,10 @@ use tempfile::TempDir;
 /// The program under test.
 pub const PROGRAM: &str = env!("CARGO_BIN_EXE_sph-mpi");
 
-/// Where the ranks of a test leave word that they ran; set in them only.
-const RANK_DIR: &str = "SPH_MPI_TEST_RANKS";
+/// Where the ranks of a test leave their answers; set in them only.
+const ANSWERS: &str = "SPH_MPI_TEST_ANSWERS";
+/// How many ranks there should be.
+const RANKS: &str = "SPH_MPI_TEST_RANKS";
 
 /// Two jobs at once on a small machine would run into each other's time limits. Cargo runs one test binary after another.
 static ONE_JOB: Mutex<()> = Mutex::new(());
@@ -29,7 +31,17 @@ impl Launch {
     /// `program` with `args` under `mpirun -n ranks`.
     pub fn new<A: AsRef<std::ffi::OsStr>>(ranks: usize, program: impl AsRef<Path>, args: &[A]) -> Self {
         let mut command = Command::new("mpirun");
-        command.args(["-n", &ranks.to_string(), "--bind-to", "none"]).arg(program.as_ref()).args(args);
+        command.args(["-n", &ranks.to_string(), "--bind-to", "none"]).arg(program.as_ref());
+        Self::of(command, args)
+    }
+
+    /// `program` with `args`, by itself.
+    pub fn alone<A: AsRef<std::ffi::OsStr>>(program: impl AsRef<Path>, args: &[A]) -> Self {
+        Self::of(Command::new(program.as_ref()), args)
+    }
+
+    fn of<A: AsRef<std::ffi::OsStr>>(mut command: Command, args: &[A]) -> Self {
+        command.args(args);
         command.env("OMPI_ALLOW_RUN_AS_ROOT", "1").env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
         command.env("OMPI_MCA_rmaps_base_oversubscribe", "1");
         // One thread, as long as a test asks for nothing else: `--threads` overrules it.
@@ -191,28 +203,61 @@ fn send(pid: u32, signal: i32) {
     unsafe { libc::kill(pid as i32, signal) };
 }
 
-/// Runs `body` on `n` ranks. `name` is the path of the calling test: this executable starts itself again under mpirun with
-/// that test alone. Called there, it is a rank: it runs `body` and leaves word, so that a wrong name or an mpirun of another
-/// MPI, which would start `n` jobs of one rank each, fails the test.
-pub fn ranks(n: usize, name: &str, body: impl FnOnce(&Comm)) {
-    if let Some(dir) = std::env::var_os(RANK_DIR) {
-        let comm = Comm::start();
-        assert_eq!(comm.size(), n, "ranks in the world (does mpirun belong to the MPI that this was built with?)");
-        body(&comm);
-        fs::write(PathBuf::from(dir).join(comm.rank().to_string()), "").expect("a file that says this rank is done");
-        comm.finish();
-        return;
-    }
-    let done = tempfile::tempdir().expect("a temporary directory");
+/// On a rank that [`launch`] started: runs `body`, leaves its answer, and says so.
+pub fn on_rank(body: impl FnOnce(&Comm) -> String) -> bool {
+    let Some(answers) = std::env::var_os(ANSWERS) else { return false };
+    let comm = Comm::start();
+    let expected = std::env::var(RANKS).expect("the number of ranks");
+    assert_eq!(comm.size().to_string(), expected, "ranks (does mpirun belong to the MPI that this was built with?)");
+    let answer = body(&comm);
+    fs::write(PathBuf::from(answers).join(comm.rank().to_string()), answer).expect("a file for the answer");
+    comm.finish();
+    true
+}
+
+/// Starts this executable again on `n` ranks with the test `name` alone, given by its whole path, and returns the answer of
+/// rank 0. A wrong name, or an mpirun of another MPI, which would start `n` jobs of one rank each, fails the test.
+pub fn launch(n: usize, name: &str, env: &[(&str, &str)]) -> String {
+    let answers = tempfile::tempdir().expect("a temporary directory");
     let executable = std::env::current_exe().expect("the path of this executable");
     let args = [name, "--exact", "--nocapture", "--test-threads=1"];
-    let out = Launch::new(n, executable, &args).env(RANK_DIR, done.path()).limit(60).run().expect_code(0);
-    for rank in 0..n {
+    let job = Launch::new(n, executable, &args).env(ANSWERS, answers.path()).env(RANKS, n.to_string()).limit(60);
+    let out = env.iter().fold(job, |job, (key, value)| job.env(key, value)).run().expect_code(0);
+    let answer = |rank: usize| {
+        let read = fs::read_to_string(answers.path().join(rank.to_string()));
+        read.unwrap_or_else(|_| panic!("rank {rank} did not run `{name}`\n{}{}", out.stdout, out.stderr))
+    };
+    (0..n).map(answer).next().unwrap_or_default()
+}
+
+/// Runs `body` on `n` ranks. `name` is the path of the calling test.
+pub fn ranks(n: usize, name: &str, body: impl FnOnce(&Comm)) {
+    let on_rank = on_rank(|comm| {
+        body(comm);
+        String::new()
+    });
+    if !on_rank {
+        launch(n, name, &[]);
+    }
+}
+
+/// Runs `body` on 1, 2, 3 and 4 ranks of one or two threads, which must all give the same answer on rank 0. `name` is the
+/// path of the calling test.
+pub fn same_on_any_ranks(name: &str, body: impl FnOnce(&Comm) -> String) {
+    if on_rank(body) {
+        return;
+    }
+    let answers = [(1, "1"), (2, "2"), (3, "1"), (4, "2")].map(|(n, threads)| {
+        let answer = launch(n, name, &[("RAYON_NUM_THREADS", threads)]);
+        assert!(!answer.is_empty(), "{name}: an answer that says nothing");
+        answer
+    });
+    for (k, answer) in answers.iter().enumerate() {
         assert!(
-            done.path().join(rank.to_string()).exists(),
-            "rank {rank} did not run `{name}`\n{}{}",
-            out.stdout,
-            out.stderr
+            *answer == answers[0],
+            "{name}: {} ranks answer\n{answer:.500}\none answers\n{:.500}",
+            k + 1,
+            answers[0]
         );
     }
 }

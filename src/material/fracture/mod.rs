@@ -333,6 +333,7 @@ mod tests {
                 constants: &[constants],
                 initial_damage: &[0.0],
                 records: Default::default(),
+                smoothing_length: None,
             };
             Brittle::new(&setup, 0, &basalt()).unwrap().flaws.weakest(ParticleId::new(0, 1))
         };

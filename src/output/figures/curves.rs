@@ -150,8 +150,11 @@ impl Figure {
     }
 }
 
-/// Strokes and dots that stand for a mark in the legend, relative to its left end.
-fn legend_mark(mark: Mark) -> (Vec<[(i32, i32); 2]>, Option<(i32, i32)>) {
+/// Pixels right and down of a sample's left end in the legend.
+type Offset = (i32, i32);
+
+/// Strokes and dots that stand for a mark in the legend.
+fn legend_mark(mark: Mark) -> (Vec<[Offset; 2]>, Option<Offset>) {
     match mark {
         Mark::Line => (vec![[(4, 0), (34, 0)]], None),
         Mark::Dashed => (vec![[(4, 0), (15, 0)], [(23, 0), (34, 0)]], None),

@@ -99,7 +99,7 @@ fn trimmed(edge: [f64; 2], values: impl Iterator<Item = f64>, comm: &Comm) -> [f
             .count()
     };
     let (low, high) = (spare(&mut counts.iter()), spare(&mut counts.iter().rev()));
-    if low + high >= BINS || !(width > 0.0) {
+    if low + high >= BINS || width <= 0.0 || width.is_nan() {
         return edge;
     }
     [edge[0] + low as f64 * width, edge[1] - high as f64 * width]
