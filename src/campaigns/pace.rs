@@ -38,14 +38,14 @@ pub fn measure(scene: &Scene, constants: &[BodyConstants], comm: &Comm) -> Resul
 fn measure_in<const D: usize>(scene: &Scene, constants: &[BodyConstants], comm: &Comm) -> Result<Pace> {
     let plan = setup::plan(scene, constants.to_vec());
     let columns = block(scene, &plan, comm);
-    let (cpu, wait) = (resources::cpu_seconds(), comm.wait_seconds());
+    let spent = || resources::cpu_seconds() - comm.wait_cpu_seconds();
+    let start = spent();
     let mut stepper = Stepper::<D>::new(comm, columns, plan.settings(scene));
     let mut dt = stepper.start()?.dt;
     for _ in 0..STEPS {
         dt = stepper.step(dt, 0)?.dt;
     }
-    let spent = resources::cpu_seconds() - cpu - (comm.wait_seconds() - wait);
-    let mut sums = [(1e6 * spent) as i64, stepper.counters.updates as i64];
+    let mut sums = [(1e6 * (spent() - start)) as i64, stepper.counters.updates as i64];
     comm.all_sum(&mut sums);
     let updates_per_core_second = sums[1] as f64 / (1e-6 * sums[0].max(1) as f64);
     Ok(Pace { updates_per_core_second, particles: EDGE[D - 2].pow(D as u32), steps: STEPS })

@@ -179,9 +179,7 @@ impl RawNumerics {
         };
         let artificial_stress = match self.artificial_stress.0 {
             None => None,
-            Some(raw) => {
-                Some(ArtificialStress { factor: within("artificial_stress.factor", raw.factor, 0.0, 1.0)? })
-            }
+            Some(raw) => Some(ArtificialStress { factor: within("artificial_stress.factor", raw.factor, 0.0, 1.0)? }),
         };
         let smoothing_length = match self.smoothing_length.0 {
             None => SmoothingLength::Constant,
