@@ -8,9 +8,10 @@ use sph_mpi::pair::record::Viscosity;
 use sph_mpi::pair::{Layout, Terms};
 use sph_mpi::particles::Life;
 use sph_mpi::scene::Scene;
+use sph_mpi::simulation::footprint::Footprint;
 use sph_mpi::simulation::setup::{Plan, plan};
 
-use crate::common::{Launch, summary, write_scene};
+use crate::common::{Launch, ranks, summary, write_scene};
 
 /// Two balls that fly towards each other; the same particles in every scene.
 const BALLS: &str = r#"
@@ -34,8 +35,7 @@ velocity = ["-1 km/s", "0 m/s", "0 m/s"]
 
 [run]
 until = "1000 s"
-steps = 12
-checkpoint_every = 1e-9
+steps = 40
 
 [output]
 every = "1000 s"
@@ -214,7 +214,7 @@ fn a_scene_holds_what_it_asks_for_and_no_more() {
 fn ghosts_send_the_words_of_their_record() {
     let all = cases();
     let sent = |case: &Case, asked: &[&str]| {
-        let text = case.scene(asked).replace("checkpoint_every = 1e-9", "checkpoint_every = 1000");
+        let text = case.scene(asked);
         let total = |steps: &str| {
             // A wide skin and slow bodies keep the first lists.
             let calm = ["numerics.skin=1", "right.velocity=[0, 0, 0]", "left.velocity=[0, 0, 0]", steps];
@@ -238,4 +238,18 @@ fn ghosts_send_the_words_of_their_record() {
         "{solid} - {gas} is not {words} numbers for each ghost"
     );
     assert!(gas >= 8.0 * all[1].ghost_words as f64 * gas_ghosts, "a gas sends its records");
+}
+
+/// On every rank, before anything is allocated; the ranks of a machine share its memory.
+#[test]
+fn what_does_not_fit_into_memory_is_refused() {
+    ranks(2, "pay_for_use::what_does_not_fit_into_memory_is_refused", |comm| {
+        let (scene, plan) = parse(&cases()[1].scene(&[]));
+        let mut footprint = Footprint::new(&scene, &plan, 2);
+        assert!(footprint.require(comm).is_ok(), "a few thousand particles fit");
+        // An exabyte on each.
+        footprint.parts[0].1 = 1e18;
+        let error = footprint.require(comm).expect_err("an exabyte is refused").to_string();
+        assert!(error.contains("2000000000.0 GB") && error.contains("2 ranks"), "{error}");
+    });
 }
