@@ -5,11 +5,18 @@ use super::resources;
 use super::setup::Plan;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
+use crate::gravity::{Source, Target};
 use crate::kernel::SUPPORT;
 use crate::math::lanes::LANES;
+use crate::outcome;
 use crate::pair::Layout;
 use crate::particles::{Place, Site};
 use crate::scene::Scene;
+
+/// Bytes of a particle while an outcome is found, where all material is loose: the particle, pieces at two thresholds of
+/// damage in vectors that grew by doubling, and sources and targets of a tree, in order and sorted.
+const LOOSE: usize =
+    size_of::<outcome::Particle>() + 4 * size_of::<outcome::Piece>() + 2 * (size_of::<Source>() + size_of::<Target>());
 
 /// Memory of one of equally loaded ranks.
 #[derive(Debug, Clone)]
@@ -23,7 +30,7 @@ pub struct Footprint {
     /// Mean neighbours within the list radius.
     pub neighbours: f64,
     /// What, and its bytes on a rank.
-    pub parts: [(&'static str, f64); 5],
+    pub parts: [(&'static str, f64); 6],
     /// Numbers that a ghost record sends.
     pub layout: Layout,
 }
@@ -51,6 +58,7 @@ impl Footprint {
             ("pair records", (owned + ghosts) * 8.0 * layout.stride() as f64),
             ("neighbour list", owned * (4.0 * row + 8.0 + 4.0)),
             ("local set and order", (owned + ghosts) * local as f64 + owned * order as f64),
+            ("outcome", scene.impact.map_or(0.0, |_| owned * LOOSE as f64)),
             ("ghost messages", 2.0 * ghosts * 8.0 * layout.words() as f64),
         ];
         Self { particles, owned, ghosts, neighbours, parts, layout }
