@@ -42,7 +42,8 @@ fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
         Err(error) => return complain(&error, BAD_INPUT, comm),
     };
     if args.check {
-        return match cost::check(&scene, args.ranks.unwrap_or(comm.size() as u32) as usize, comm) {
+        let ranks = args.ranks.unwrap_or(comm.size() as u32) as usize;
+        return match workers::start_threads(1).and_then(|()| cost::check(&scene, ranks, comm)) {
             Ok(text) => {
                 if comm.is_root() {
                     print!("{text}");

@@ -2,10 +2,12 @@
 
 mod allocations;
 mod architecture;
+mod balance;
 mod common;
 mod errors;
 mod output;
 mod pair_loop;
+mod pay_for_use;
 mod ranks;
 mod ranks_domain;
 mod ranks_outcome;

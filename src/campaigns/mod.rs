@@ -3,5 +3,6 @@
 pub mod bracket;
 pub mod cost;
 pub mod fit;
+pub mod pace;
 pub mod record;
 pub mod search;

@@ -2,6 +2,7 @@
 
 pub mod directory;
 pub mod faults;
+pub mod footprint;
 pub mod log;
 pub mod report;
 pub mod resources;

@@ -225,9 +225,15 @@ pub fn first_contact(scene: &Scene) -> f64 {
     if a > 0.0 && discriminant >= 0.0 { ((-b - discriminant.sqrt()) / a).max(0.0) } else { 0.0 }
 }
 
-/// Longitudinal speed of sound of the target's material, m/s.
-pub fn sound_speed(scene: &Scene) -> f64 {
-    let body = &scene.bodies[scene.impact.as_ref().map_or(0, |impact| impact.target)];
+/// Time that sound takes through the largest body, in the target's material, s.
+pub fn crossing(scene: &Scene) -> f64 {
+    let largest = scene.bodies.iter().map(|b| b.shape.outer_radius()).fold(0.0, f64::max);
+    2.0 * largest / sound_speed(scene, scene.impact.as_ref().map_or(0, |impact| impact.target))
+}
+
+/// Longitudinal speed of sound of a body at the start, m/s.
+pub fn sound_speed(scene: &Scene, body: usize) -> f64 {
+    let body = &scene.bodies[body];
     let material = &scene.materials[body.material];
     let (_, bulk) = material.eos.law().pressure(body.density, body.internal_energy);
     let shear = material.strength.as_ref().map_or(0.0, |strength| strength.shear_modulus.0);

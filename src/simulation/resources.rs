@@ -1,4 +1,6 @@
-//! What the run costs: processor time and memory of this rank.
+//! What the run costs, processor time and memory of this rank, and what the machine has.
+
+use std::path::Path;
 
 /// User and system time of all threads of this process, s.
 pub fn cpu_seconds() -> f64 {
@@ -12,19 +14,30 @@ pub fn cpu_seconds() -> f64 {
     seconds(usage.ru_utime) + seconds(usage.ru_stime)
 }
 
-/// A line of /proc/self/status in bytes; zero where it is missing.
-fn status_bytes(key: &str) -> f64 {
-    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let line = status.lines().find(|line| line.starts_with(key)).unwrap_or_default();
+/// A line of a file below /proc in bytes; zero where it is missing.
+fn proc_bytes(file: &str, key: &str) -> f64 {
+    let text = std::fs::read_to_string(Path::new("/proc").join(file)).unwrap_or_default();
+    let line = text.lines().find(|line| line.starts_with(key)).unwrap_or_default();
     line.split_whitespace().nth(1).and_then(|kib| kib.parse::<f64>().ok()).map_or(0.0, |kib| 1024.0 * kib)
 }
 
 /// Resident set now, bytes.
 pub fn resident_bytes() -> f64 {
-    status_bytes("VmRSS:")
+    proc_bytes("self/status", "VmRSS:")
 }
 
 /// Largest resident set so far, bytes.
 pub fn peak_resident_bytes() -> f64 {
-    status_bytes("VmHWM:")
+    proc_bytes("self/status", "VmHWM:")
+}
+
+/// Memory that this machine could give to programs, bytes; zero where it does not say.
+pub fn available_bytes() -> f64 {
+    proc_bytes("meminfo", "MemAvailable:")
+}
+
+/// A number that the ranks of one machine share.
+pub fn machine() -> u64 {
+    let boot = std::fs::read("/proc/sys/kernel/random/boot_id").unwrap_or_default();
+    u64::from_le_bytes(std::array::from_fn(|k| blake3::hash(&boot).as_bytes()[k]))
 }

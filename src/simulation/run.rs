@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use super::faults::Fault;
+use super::footprint::Footprint;
 use super::log::Progress;
 use super::report::{self, Report};
 use super::setup;
@@ -96,6 +97,7 @@ impl<'a, const D: usize> Run<'a, D> {
         let log = || super::log::to_file(&options.directory.join("log.txt"), options.resume);
         agree(comm, if comm.is_root() { log() } else { Ok(()) })?;
         let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
+        Footprint::new(scene, &plan, comm.size()).require(comm)?;
         let hash = scene_hash(scene);
         let saved = if options.resume {
             checkpoint::read_newest(&options.directory, &plan.registry, comm, &hash)?
@@ -160,9 +162,7 @@ impl<'a, const D: usize> Run<'a, D> {
         let first = stepper.totals();
         let agreed = stepper.start()?;
         let settled = scene.impact.as_ref().filter(|_| scene.run.until == Until::Settled).map(|_| {
-            let largest = scene.bodies.iter().map(|b| b.shape.outer_radius()).fold(0.0, f64::max);
-            let crossing = 2.0 * largest / report::sound_speed(scene);
-            Settled::new(report::first_contact(scene), crossing, first.kinetic_in_centre_of_mass())
+            Settled::new(report::first_contact(scene), report::crossing(scene), first.kinetic_in_centre_of_mass())
         });
         Ok(RunState {
             time: 0.0,

@@ -134,7 +134,7 @@ impl Plan {
 }
 
 /// This rank's share of `count` sites.
-fn share(count: u64, comm: &Comm) -> Range<u64> {
+pub fn share(count: u64, comm: &Comm) -> Range<u64> {
     let part = |rank: usize| (count as u128 * rank as u128 / comm.size() as u128) as u64;
     part(comm.rank())..part(comm.rank() + 1)
 }

@@ -1,0 +1,255 @@
+//! Pay for use: what a scene does not ask for exists neither in memory, nor in messages, nor in the pair loop, nor in files.
+//! Prints what each effect costs; times are for the reader and never decide.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use sph_mpi::pair::record::Viscosity;
+use sph_mpi::pair::{Layout, Terms};
+use sph_mpi::particles::Life;
+use sph_mpi::scene::Scene;
+use sph_mpi::simulation::footprint::Footprint;
+use sph_mpi::simulation::setup::{Plan, plan};
+
+use crate::common::{Launch, ranks, summary, write_scene};
+
+/// Two balls that fly towards each other; the same particles in every scene.
+const BALLS: &str = r#"
+title = "Two balls"
+
+[[body]]
+name = "left"
+shape = { sphere = { radius = "1 km" } }
+material = "MATERIAL"
+density = "2700 kg/m^3"
+particles = 3000
+
+[[body]]
+name = "right"
+shape = { sphere = { radius = "1 km" } }
+material = "MATERIAL"
+density = "2700 kg/m^3"
+particles = 3000
+position = ["2.3 km", "0 m", "0 m"]
+velocity = ["-1 km/s", "0 m/s", "0 m/s"]
+
+[run]
+until = "1000 s"
+steps = 40
+
+[output]
+every = "1000 s"
+picture = false
+"#;
+
+/// What every scene has, name and words per particle.
+const CORE: [(&str, usize); 11] = [
+    ("id", 1),
+    ("position", 3),
+    ("velocity", 3),
+    ("acceleration", 3),
+    ("build_position", 3),
+    ("density", 1),
+    ("density_rate", 1),
+    ("pressure", 1),
+    ("sound_speed", 1),
+    ("internal_energy", 1),
+    ("internal_energy_rate", 1),
+];
+const STRENGTH: [(&str, usize); 2] = [("deviatoric_stress", 5), ("deviatoric_stress_rate", 5)];
+const FRACTURE: [(&str, usize); 2] = [("damage", 1), ("activation_threshold", 1)];
+const RECORDS: [(&str, usize); 3] = [("peak_pressure", 1), ("melt_fraction", 1), ("vapour_fraction", 1)];
+const VARIABLE_H: [(&str, usize); 2] = [("smoothing_length", 1), ("build_smoothing_length", 1)];
+
+/// A scene and what it may hold.
+struct Case {
+    name: &'static str,
+    /// Added to the scene before.
+    asks: &'static str,
+    gas: bool,
+    columns: Vec<(&'static str, usize)>,
+    terms: Terms,
+    /// Numbers of a ghost record: position and velocity, stress, V, density, 1/h, and what follows from the terms.
+    ghost_words: usize,
+}
+
+/// Physics that grows from a gas to all that there is.
+fn cases() -> Vec<Case> {
+    let gas = Terms { tensor: false, viscosity: Viscosity::Off, artificial_stress: false, correction: false };
+    let viscous = Terms { viscosity: Viscosity::SameBeta, ..gas };
+    let solid = Terms { tensor: true, ..viscous };
+    let corrected = Terms { correction: true, ..solid };
+    let tensile = Terms { artificial_stress: true, ..corrected };
+    let mut columns = CORE.to_vec();
+    let mut with = |more: &[(&'static str, usize)]| {
+        columns.extend(more);
+        columns.clone()
+    };
+    let case = |name, asks, gas, columns, terms, ghost_words| Case { name, asks, gas, columns, terms, ghost_words };
+    vec![
+        case("gas without viscosity", "", true, with(&[]), gas, 6 + 1 + 3),
+        case("gas", "", true, with(&[]), viscous, 6 + 1 + 3 + 1),
+        case("+ strength", "[material.basalt.strength]", false, with(&STRENGTH), solid, 6 + 6 + 3 + 1),
+        case("+ fracture", "[material.basalt.fracture]", false, with(&FRACTURE), solid, 6 + 6 + 3 + 1),
+        case("+ corrected gradient", "numerics.corrected_gradient = true", false, with(&[]), corrected, 6 + 6 + 3 + 1),
+        case("+ artificial stress", "numerics.artificial_stress = true", false, with(&[]), tensile, 6 + 6 + 3 + 1 + 6),
+        case(
+            "+ records",
+            "record = { peak_pressure = true, melt_fraction = true, vapour_fraction = true }",
+            false,
+            with(&RECORDS),
+            tensile,
+            6 + 6 + 3 + 1 + 6,
+        ),
+        case(
+            "+ variable h",
+            "numerics.smoothing_length = { follows = \"density\" }",
+            false,
+            with(&VARIABLE_H),
+            tensile,
+            6 + 6 + 3 + 1 + 6,
+        ),
+    ]
+}
+
+impl Case {
+    /// The scene: keys of its own and of the cases before it.
+    fn scene(&self, asked: &[&str]) -> String {
+        let material = if self.gas { "ideal_gas" } else { "basalt" };
+        let heat = if self.gas { "internal_energy = \"1e6 J/kg\"\n" } else { "" };
+        let off = if self.terms.viscosity == Viscosity::Off { "numerics.viscosity = false\n" } else { "" };
+        let keys: Vec<&str> = asked.iter().copied().filter(|line| !line.starts_with('[')).collect();
+        let tables: Vec<&str> = asked.iter().copied().filter(|line| line.starts_with('[')).collect();
+        let balls = BALLS.replace("MATERIAL", material).replace("particles =", &format!("{heat}particles ="));
+        format!("{off}{}\n{balls}\n{}\n", keys.join("\n"), tables.join("\n"))
+    }
+
+    fn names(&self) -> BTreeSet<&str> {
+        self.columns.iter().map(|(name, _)| *name).collect()
+    }
+
+    /// Memory and loop: columns, terms and ghost record of the plan that a run follows.
+    fn check_plan(&self, plan: &Plan) {
+        let entries = &plan.registry.entries;
+        let found: BTreeSet<(&str, usize)> = entries.iter().map(|e| (e.name.as_str(), e.width)).collect();
+        assert_eq!(found, self.columns.iter().copied().collect(), "columns of {}", self.name);
+        assert_eq!(plan.terms, self.terms, "terms of the pair loop of {}", self.name);
+        assert_eq!(Layout { dimension: 3, terms: plan.terms }.words(), self.ghost_words, "ghosts of {}", self.name);
+    }
+
+    /// Files: the snapshot holds columns and what follows from ids, the checkpoint the state.
+    fn check_files(&self, run: &Path, plan: &Plan) {
+        let members = |file: &str, group: &str| -> BTreeSet<String> {
+            let path = run.join(file);
+            let file = hdf5::File::open(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+            file.group(group).and_then(|group| group.member_names()).expect("a group").into_iter().collect()
+        };
+        let declared = |keep: &dyn Fn(&sph_mpi::particles::columns::Entry) -> bool| -> BTreeSet<String> {
+            plan.registry.entries.iter().filter(|e| keep(e)).map(|e| e.name.clone()).collect()
+        };
+        let mut fields = declared(&|entry| entry.info.snapshot && entry.name != "position");
+        fields.extend(["body", "mass", "smoothing_length"].map(String::from));
+        assert_eq!(members("snapshot_0001.vtkhdf", "/VTKHDF/PointData"), fields, "snapshot of {}", self.name);
+        let state = declared(&|entry| entry.info.life == Life::State);
+        assert_eq!(members("checkpoint.h5", "/columns"), state, "checkpoint of {}", self.name);
+    }
+}
+
+fn parse(text: &str) -> (Scene, Plan) {
+    let scene = Scene::parse("scene.toml", text, &[]).unwrap_or_else(|e| panic!("{e}\n{text}"));
+    let constants = scene.bodies.iter().map(|body| {
+        let particles = body.count(0..body.lattice_sites());
+        body.constants(particles, scene.numerics.eta)
+    });
+    let plan = plan(&scene, constants.collect());
+    (scene, plan)
+}
+
+fn run(scene: &str, ranks: usize, settings: &[&str]) -> (tempfile::TempDir, serde_json::Value) {
+    let dir = tempfile::tempdir().expect("a temporary directory");
+    let path = write_scene(dir.path(), scene);
+    let out = dir.path().join("run");
+    let mut args = vec![path.as_os_str(), "--out".as_ref(), out.as_os_str()];
+    args.extend(settings.iter().flat_map(|setting| ["--set".as_ref(), std::ffi::OsStr::new(*setting)]));
+    Launch::scene(ranks, &args).run().expect_code(0);
+    let found = summary(&out);
+    (dir, found)
+}
+
+#[test]
+fn a_scene_holds_what_it_asks_for_and_no_more() {
+    let solids = ["deviatoric_stress", "damage", "activation_threshold", "peak_pressure", "smoothing_length"];
+    println!(
+        "{:<22} {:>7} {:>15} {:>12} {:>12} {:>16}",
+        "scene", "columns", "bytes/particle", "pair record", "ghost sends", "us per particle"
+    );
+    let mut asked = Vec::new();
+    for case in cases() {
+        asked.extend((!case.asks.is_empty()).then_some(case.asks));
+        let text = case.scene(&asked);
+        let (_, plan) = parse(&text);
+        case.check_plan(&plan);
+        assert!(!case.gas || solids.iter().all(|name| !case.names().contains(name)), "a gas holds a solid's column");
+        let (dir, summary) = run(&text, 1, &[]);
+        case.check_files(&dir.path().join("run"), &plan);
+        let phase = |name: &str| summary["phases"][name].as_f64().unwrap_or(0.0);
+        let steps = 1.0 - phase("output") - phase("outcome") - phase("diagnostics");
+        let updates = summary["particles"].as_f64().unwrap_or(0.0) * summary["steps"].as_f64().unwrap_or(0.0);
+        let layout = Layout { dimension: 3, terms: plan.terms };
+        println!(
+            "{:<22} {:>7} {:>15} {:>12} {:>12} {:>16.2}",
+            case.name,
+            plan.registry.entries.len(),
+            plan.registry.bytes_per_particle(),
+            8 * layout.stride(),
+            8 * layout.words(),
+            1e6 * steps * summary["core_seconds"].as_f64().unwrap_or(0.0) / updates
+        );
+    }
+}
+
+/// What really goes over the wire: between two runs on two ranks that differ by four steps on the same lists, exactly the
+/// words of each ghost's record and, from the watch over displacements, a part that does not depend on the physics.
+#[test]
+fn ghosts_send_the_words_of_their_record() {
+    let all = cases();
+    let sent = |case: &Case, asked: &[&str]| {
+        let text = case.scene(asked);
+        let total = |steps: &str| {
+            // A wide skin and slow bodies keep the first lists.
+            let calm = ["numerics.skin=1", "right.velocity=[0, 0, 0]", "left.velocity=[0, 0, 0]", steps];
+            let (_dir, summary) = run(&text, 2, &calm);
+            let number = |key: &str| summary[key].as_f64().expect("a number");
+            assert_eq!(number("list_builds"), 1.0, "the run stays on its first lists");
+            let ghosts = number("ghost_fraction") * number("particles");
+            (number("exchanged_bytes_per_step") * number("steps"), ghosts)
+        };
+        let ((few, ghosts), (many, _)) = (total("run.steps=2"), total("run.steps=6"));
+        assert!(ghosts > 100.0, "{ghosts} ghosts");
+        ((many - few) / 4.0, ghosts)
+    };
+    let (gas, gas_ghosts) = sent(&all[1], &[]);
+    let (solid, solid_ghosts) = sent(&all[3], &[all[2].asks, all[3].asks]);
+    assert_eq!(gas_ghosts, solid_ghosts, "the same particles stand in both");
+    let words = (all[3].ghost_words - all[1].ghost_words) as f64;
+    println!("{gas_ghosts} ghosts: a gas sends {gas:.0} bytes in a step, a fractured solid {solid:.0}");
+    assert!(
+        (solid - gas - 8.0 * words * gas_ghosts).abs() < 1.0,
+        "{solid} - {gas} is not {words} numbers for each ghost"
+    );
+    assert!(gas >= 8.0 * all[1].ghost_words as f64 * gas_ghosts, "a gas sends its records");
+}
+
+/// On every rank, before anything is allocated; the ranks of a machine share its memory.
+#[test]
+fn what_does_not_fit_into_memory_is_refused() {
+    ranks(2, "pay_for_use::what_does_not_fit_into_memory_is_refused", |comm| {
+        let (scene, plan) = parse(&cases()[1].scene(&[]));
+        let mut footprint = Footprint::new(&scene, &plan, 2);
+        assert!(footprint.require(comm).is_ok(), "a few thousand particles fit");
+        // An exabyte on each.
+        footprint.parts[0].1 = 1e18;
+        let error = footprint.require(comm).expect_err("an exabyte is refused").to_string();
+        assert!(error.contains("2000000000.0 GB") && error.contains("2 ranks"), "{error}");
+    });
+}
