@@ -219,6 +219,9 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
 }
 
 /// h^-(d+1) times the kernel's slope, from r and 1/h.
+///
+/// # Safety
+/// As for [`Lanes`].
 #[inline(always)]
 unsafe fn slope<L: Lanes, F: Form, const D: usize>(r: L, g: L) -> L {
     unsafe {

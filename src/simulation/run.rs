@@ -409,7 +409,9 @@ impl<'a, const D: usize> Run<'a, D> {
     }
 
     fn finish(mut self) -> Result<RunReport> {
-        self.note_totals()?;
+        if self.state.counters.steps % self.scene.output.history_every != 0 {
+            self.note_totals()?;
+        }
         let later = self.scene.impact.is_some().then(|| self.evaluate_outcome());
         match (later, self.state.outcome.is_some()) {
             (Some(later), true) => self.later = Some(later.outcome),

@@ -1,9 +1,11 @@
-//! How fast a pair loop can be on this processor, and which share of that the loops of the program reach, on one core.
+//! How fast a stripped pair loop is on this processor, and which share of that the loops of the program reach, on one core.
 //!
-//! The ceiling is the leanest loop over neighbours that does the work of a gas: f64 in eight lanes, a list without skin,
-//! records of two cache lines, 14 sums (force, velocity gradient, heating, signal speed), reciprocals from the processor's
-//! estimates with two Newton steps. The program's own loops divide and take roots as IEEE wants it, carry stress and
-//! correction, and walk lists with a skin. Interactions are directed pairs inside the support, whatever the list holds.
+//! The ceiling is a stripped loop that does the work of a gas: f64 in eight lanes, a list without skin, records of two
+//! cache lines, 14 sums (force, velocity gradient, heating, signal speed), reciprocals from the processor's estimates with
+//! two Newton steps. The program's own loops divide and take roots as IEEE wants it, carry stress and correction, and walk
+//! lists with a skin. It is a yardstick and no bound: it weighs force and gradient with different slopes, as most gas codes
+//! do, where the program's sums share one, so that its gas loop without skin can come out above 1.
+//! Interactions are directed pairs inside the support, whatever the list holds.
 //!
 //! `cargo bench --bench ceiling -- [PARTICLES PER EDGE] [REPETITIONS]`, 59 and 9 if not given.
 
