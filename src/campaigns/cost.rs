@@ -142,11 +142,13 @@ fn time(scene: &Scene, plan: &Plan, footprint: &Footprint, (pace, ranks): (Pace,
     line("end", format!("{} s, {why}", number(end)));
     let limit = if scene.impact.is_some() { "the CFL condition at the speed of impact" } else { "the first" };
     line("steps", format!("{steps:.0}, were all of {} s as {limit} allows", number(dt)));
-    let how = format!("measured here with {} particles in {} steps", pace.particles, pace.steps);
+    let Pace { particles, steps, list_builds, .. } = pace;
+    let how = format!("measured here: {particles} particles, {steps} steps, {list_builds} list builds");
     line("updates per core-second", format!("{:.2e}, {how}", pace.updates_per_core_second));
     let cost = |runs: f64| {
         let core = runs * core_seconds;
-        format!("{} of one core, {} on {ranks} such cores", duration(core), duration(core / ranks as f64))
+        let apart = if ranks > 1 { format!(", {} on {ranks}", duration(core / ranks as f64)) } else { String::new() };
+        format!("{} on one core{apart}", duration(core))
     };
     if scene.threshold.is_some() {
         line("one impact", cost(1.0));

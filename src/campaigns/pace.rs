@@ -13,18 +13,20 @@ use crate::step::Stepper;
 
 /// Particles along each edge of the block, in two and in three dimensions: about 20,000.
 const EDGE: [usize; 2] = [141, 27];
-const STEPS: usize = 10;
-/// Random speeds over the speed of sound: enough for shocks, yielding and flaws that open.
-const MOTION: f64 = 0.05;
+const STEPS: usize = 12;
+/// Random speeds over the speed of sound: enough for shocks, yielding, flaws that open, and lists that last for few steps,
+/// as in an impact.
+const MOTION: f64 = 0.1;
 const SEED: u64 = 1;
 
 /// A measured speed.
 #[derive(Debug, Clone, Copy)]
 pub struct Pace {
     pub updates_per_core_second: f64,
-    /// Particles and steps that it was measured with.
+    /// What it was measured with.
     pub particles: usize,
     pub steps: usize,
+    pub list_builds: u64,
 }
 
 /// Measures with particles of the scene's largest body, one thread per rank. Collective.
@@ -48,7 +50,8 @@ fn measure_in<const D: usize>(scene: &Scene, constants: &[BodyConstants], comm: 
     let mut sums = [(1e6 * (spent() - start)) as i64, stepper.counters.updates as i64];
     comm.all_sum(&mut sums);
     let updates_per_core_second = sums[1] as f64 / (1e-6 * sums[0].max(1) as f64);
-    Ok(Pace { updates_per_core_second, particles: EDGE[D - 2].pow(D as u32), steps: STEPS })
+    let particles = EDGE[D - 2].pow(D as u32);
+    Ok(Pace { updates_per_core_second, particles, steps: STEPS, list_builds: stepper.counters.list_builds })
 }
 
 /// This rank's share of the block.

@@ -97,7 +97,7 @@ impl<'a, const D: usize> Run<'a, D> {
         let log = || super::log::to_file(&options.directory.join("log.txt"), options.resume);
         agree(comm, if comm.is_root() { log() } else { Ok(()) })?;
         let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
-        Footprint::new(scene, &plan, comm.size()).require(comm)?;
+        Footprint::new(scene, &plan, comm.size()).require(comm).map_err(|e| e.at(scene.path()))?;
         let hash = scene_hash(scene);
         let saved = if options.resume {
             checkpoint::read_newest(&options.directory, &plan.registry, comm, &hash)?
