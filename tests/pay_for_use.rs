@@ -11,7 +11,7 @@ use sph_mpi::scene::Scene;
 use sph_mpi::simulation::footprint::Footprint;
 use sph_mpi::simulation::setup::{Plan, plan};
 
-use crate::common::{Launch, ranks, summary, write_scene};
+use crate::common::{IMPACT, Launch, ranks, summary, write_scene};
 
 /// Two balls that fly towards each other; the same particles in every scene.
 const BALLS: &str = r#"
@@ -252,4 +252,29 @@ fn what_does_not_fit_into_memory_is_refused() {
         let error = footprint.require(comm).expect_err("an exabyte is refused").to_string();
         assert!(error.contains("2000000000.0 GB") && error.contains("2 ranks"), "{error}");
     });
+}
+
+/// `--check` names every effect and column of the impact with its bytes, from one rank, and runs nothing.
+#[test]
+fn check_says_what_a_scene_costs() {
+    let dir = tempfile::tempdir().expect("a temporary directory");
+    let scene = write_scene(dir.path(), IMPACT);
+    let out = dir.path().join("run");
+    let check = |more: &[&str]| {
+        let mut args = vec![scene.to_str().expect("a plain path"), "--check", "--out"];
+        args.extend([out.to_str().expect("a plain path")].iter().chain(more));
+        Launch::scene(2, &args).run().expect_code(0).stdout
+    };
+    // What effects and columns are listed: the first words of lines.
+    let lists = |text: &str, word: &str| text.lines().any(|line| line.split_whitespace().next() == Some(word));
+    let (text, without) = (check(&[]), check(&["--set", "material.basalt.fracture=false", "--ranks", "8"]));
+    for word in ["strength", "deviatoric_stress", "smoothing_length", "fracture", "damage"] {
+        assert!(lists(&text, word), "{word} is missing in\n{text}");
+    }
+    assert!(!lists(&without, "fracture") && !lists(&without, "damage"), "{without}");
+    assert!(text.contains("bytes per particle"), "{text}");
+    for (text, memory) in [(&text, "memory on 2 ranks"), (&without, "memory on 8 ranks")] {
+        assert_eq!(text.matches(memory).count(), 1, "{memory}: one rank speaks\n{text}");
+    }
+    assert!(!out.exists(), "a check leaves no run");
 }
