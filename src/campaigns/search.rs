@@ -45,6 +45,12 @@ pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<Ended> {
             Next::Done(end) => break end,
         }
     };
+    // Q*_RD is lower, and may lie just outside the impacts that bracket Q*_D.
+    while let Some(q) = progress.next_for_total(&rules) {
+        if !progress.run_impact(search.length(q), 0)? {
+            return Ok(Ended::Interrupted);
+        }
+    }
     if let Some(found) = threshold(&progress.points(Impact::point)) {
         let done = progress.impacts.iter().map(|impact| impact.repeat).max().unwrap_or(0);
         for repeat in done + 1..=search.repeats {
@@ -70,6 +76,18 @@ impl Progress<'_> {
     /// The impacts of the search itself.
     fn points(&self, point: fn(&Impact) -> Point) -> Vec<Point> {
         self.impacts.iter().filter(|impact| impact.repeat == 0).map(point).collect()
+    }
+
+    /// Q of an impact that helps to bracket Q*_RD, where none does yet and another is allowed.
+    fn next_for_total(&self, rules: &Rules) -> Option<f64> {
+        let points = self.points(Impact::point_of_total);
+        if threshold(&points).is_some() {
+            return None;
+        }
+        match next(&points, rules) {
+            Next::Impact(q_r) => self.search.q_of_q_r(q_r),
+            Next::Done(_) => None,
+        }
     }
 
     /// Runs one impact and records it; false where it was interrupted. Collective.
@@ -128,6 +146,14 @@ impl<'a> Search<'a> {
     /// J/kg.
     fn q(&self, length: f64) -> f64 {
         scaling::q(self.target.mass(), self.projectile_mass(length), self.speed)
+    }
+
+    /// Q of the impact whose Q_R is given, J/kg: Q_R = Q / (1 + x)^2 with the mass ratio x = Q / (v^2 / 2). No projectile
+    /// smaller than the target reaches Q_R above v^2 / 8.
+    fn q_of_q_r(&self, q_r: f64) -> Option<f64> {
+        let half_square = 0.5 * self.speed * self.speed;
+        let y = q_r / half_square;
+        (y < 0.25).then(|| half_square * ((1.0 - 2.0 * y) - (1.0 - 4.0 * y).sqrt()) / (2.0 * y))
     }
 
     /// The radius that gives this Q, m.
