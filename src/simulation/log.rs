@@ -7,7 +7,8 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressStyle};
+use console::Term;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::error::Result;
 
@@ -23,7 +24,7 @@ impl Write for Tee {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         let bar = BAR.lock().unwrap().clone();
         match bar {
-            Some(bar) => bar.suspend(|| std::io::stderr().write_all(bytes))?,
+            Some(bar) => bar.println(String::from_utf8_lossy(bytes).trim_end()),
             None => std::io::stderr().write_all(bytes)?,
         }
         if self.rank == 0
@@ -65,6 +66,18 @@ pub fn to_file(path: &Path, resumed: bool) -> Result<()> {
     Ok(())
 }
 
+/// The terminal that the user looks at: this rank's own, or that of its launcher, which hands output on through a pipe.
+fn terminal() -> Option<ProgressDrawTarget> {
+    if std::io::stderr().is_terminal() {
+        return Some(ProgressDrawTarget::stderr());
+    }
+    let launcher = std::fs::read_link(format!("/proc/{}/fd/2", std::os::unix::process::parent_id())).ok()?;
+    let is_terminal = launcher.starts_with("/dev/pts") || launcher.starts_with("/dev/tty");
+    let open = || File::options().read(true).write(true).open(&launcher).ok();
+    let (reader, writer) = is_terminal.then(|| open().zip(open())).flatten()?;
+    Some(ProgressDrawTarget::term(Term::read_write_pair(reader, writer), 10))
+}
+
 /// Progress of one run, on rank 0.
 pub struct Progress {
     bar: Option<ProgressBar>,
@@ -77,10 +90,9 @@ impl Progress {
     const PAUSE: Duration = Duration::from_secs(20);
 
     pub fn new(title: &str, root: bool) -> Self {
-        let terminal = root && std::io::stderr().is_terminal();
-        let bar = terminal.then(|| {
-            let bar = ProgressBar::new(1000);
-            let style = ProgressStyle::with_template("{prefix} {bar:40} {percent:>3}%  {msg}  [{elapsed_precise}]");
+        let bar = terminal().filter(|_| root).map(|target| {
+            let bar = ProgressBar::with_draw_target(Some(1000), target);
+            let style = ProgressStyle::with_template("{prefix} {bar:24} {percent:>3}% {elapsed} {wide_msg}");
             bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
             bar.set_prefix(title.to_string());
             bar
