@@ -22,7 +22,8 @@ pub fn prepare<T>(path: &Path, comm: &Comm, write: impl FnOnce(&Path) -> Result<
         // On a full disk the room is wanted; where not even this works, the error to be told is the first one.
         let _ = fs::remove_file(temporary(path));
     }
-    written
+    let allowed = "room on the disk, and no lower limit on the size of a file";
+    written.map_err(|error| if error.allowed.is_empty() { error.allowed(allowed) } else { error })
 }
 
 /// Gives the file written as [`temporary`] its name, once it is on disk. Rank 0 acts; all ranks return the same.
