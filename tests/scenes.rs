@@ -208,14 +208,19 @@ fn put(tree: &mut Table, path: &[String], value: Option<Value>) {
     *tree = root.as_table().cloned().unwrap_or_default();
 }
 
-/// The scenes of `inputs/`.
+/// The scenes of `inputs/`, as they are written and as they are understood, with every key that there is for them.
 fn inputs() -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("inputs");
     let files = std::fs::read_dir(folder).expect("inputs/").flatten().map(|entry| entry.path());
     let mut scenes: Vec<_> = files.filter(|path| path.extension().is_some_and(|e| e == "toml")).collect();
     scenes.sort();
     assert!(scenes.len() >= 4, "{scenes:?}");
-    scenes.iter().map(|path| std::fs::read_to_string(path).expect("a readable scene")).collect()
+    let written = scenes.iter().map(|path| std::fs::read_to_string(path).expect("a readable scene"));
+    let both = |text: String| {
+        let understood = Scene::parse("scene.toml", &text, &[]).expect("a valid scene").to_toml();
+        [text, understood]
+    };
+    written.flat_map(both).collect()
 }
 
 /// The same cases each time; nothing is written into the source tree.

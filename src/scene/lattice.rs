@@ -65,6 +65,11 @@ pub struct Lattice {
 impl Lattice {
     /// The lattice over a box with the given middle and half extents (body frame, m; the last is 0 in 2D).
     pub fn covering(kind: LatticeKind, spacing: f64, rotation: Rotation, bounds: Bounds) -> Result<Self> {
+        if !(spacing > 0.0 && spacing.is_finite()) {
+            return Err(
+                Error::new(format!("the spacing comes to {spacing} m")).allowed("sizes within reach of numbers")
+            );
+        }
         let dimension = bounds.dimension;
         let mut counts = [1; 3];
         let mut sites = 1.0;
