@@ -13,6 +13,7 @@ pub mod neighbours;
 
 pub mod gravity;
 pub mod material;
+pub mod motion;
 pub mod pair;
 
 pub mod outcome;

@@ -128,7 +128,7 @@ impl<'a, const D: usize> Run<'a, D> {
         };
         stepper.counters = state.counters;
         let totals = stepper.totals();
-        let columns = report::history_columns(&stepper.settings.effects, scene);
+        let columns = report::history_columns(&stepper.settings.effects, stepper.settings.motions.is_some(), scene);
         let labels: Vec<(&str, &str)> = columns.iter().map(|(name, unit)| (name.as_str(), unit.as_str())).collect();
         let resumed = (state.counters.steps > 0).then_some(state.counters.steps);
         let history = History::open(&options.directory.join("history.csv"), &labels, resumed, comm)?;
@@ -267,7 +267,12 @@ impl<'a, const D: usize> Run<'a, D> {
 
     fn write_history(&mut self) {
         let (limit, reason) = self.stepper.tightest_limit();
-        let cells = report::history_row(&self.state, &self.totals, (&limit, reason), D == 2);
+        let cells = report::history_row(
+            &self.state,
+            &self.totals,
+            (&limit, reason),
+            (self.stepper.settings.motions.is_some(), D == 2),
+        );
         self.limit = (limit, reason);
         tracing::debug!("{}", self.describe());
         // Rank 0 writes; where it fails, all ranks hear of it with the next step.
