@@ -2,6 +2,7 @@
 
 pub mod directory;
 pub mod faults;
+mod files;
 pub mod footprint;
 pub mod log;
 pub mod report;

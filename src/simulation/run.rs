@@ -1,9 +1,10 @@
-//! The loop over steps: history, snapshots, checkpoints, signals, and the question whether the outcome has settled.
+//! The loop over steps: when to write, signals, and the question whether the outcome has settled.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use super::faults::Fault;
+use super::files::scene_hash;
 use super::footprint::Footprint;
 use super::log::Progress;
 use super::report::{self, Report};
@@ -14,12 +15,11 @@ use super::{directory, resources};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::outcome::settled::Settled;
-use crate::outcome::{self, Evaluation, Outcome, Question};
+use crate::outcome::{Evaluation, Outcome};
 use crate::output::publish::replace_text;
-use crate::output::{CheckpointMeta, History, Snapshot, Storage, Summary, agree, checkpoint, snapshot};
+use crate::output::{History, Summary, agree, checkpoint};
 use crate::particles::ParticleId;
-use crate::scene::{Precision, Scene, Until};
-use crate::step::phases::Phase;
+use crate::scene::{Scene, Until};
 use crate::step::time_step::Limit;
 use crate::step::{Stepper, Totals};
 
@@ -66,26 +66,26 @@ pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<RunReport> {
     }
 }
 
-struct Run<'a, const D: usize> {
-    scene: &'a Scene,
-    options: &'a Options,
-    comm: &'a Comm,
-    stepper: Stepper<'a, D>,
-    state: RunState,
-    history: History,
-    totals: Totals,
-    started: Instant,
-    cpu_at_start: f64,
-    wait_at_start: f64,
-    wait_cpu_at_start: f64,
-    saved: Instant,
-    fault: Fault,
-    evaluation: Option<Evaluation>,
-    later: Option<Outcome>,
+pub(super) struct Run<'a, const D: usize> {
+    pub(super) scene: &'a Scene,
+    pub(super) options: &'a Options,
+    pub(super) comm: &'a Comm,
+    pub(super) stepper: Stepper<'a, D>,
+    pub(super) state: RunState,
+    pub(super) history: History,
+    pub(super) totals: Totals,
+    pub(super) started: Instant,
+    pub(super) cpu_at_start: f64,
+    pub(super) wait_at_start: f64,
+    pub(super) wait_cpu_at_start: f64,
+    pub(super) saved: Instant,
+    pub(super) fault: Fault,
+    pub(super) evaluation: Option<Evaluation>,
+    pub(super) later: Option<Outcome>,
     /// What failed on this rank alone.
-    failed: Option<Error>,
+    pub(super) failed: Option<Error>,
     /// What limits the time step.
-    limit: (Limit, &'static str),
+    pub(super) limit: (Limit, &'static str),
 }
 
 impl<'a, const D: usize> Run<'a, D> {
@@ -265,129 +265,6 @@ impl<'a, const D: usize> Run<'a, D> {
         Ok(())
     }
 
-    fn write_history(&mut self) {
-        let (limit, reason) = self.stepper.tightest_limit();
-        let cells = report::history_row(
-            &self.state,
-            &self.totals,
-            (&limit, reason),
-            (self.stepper.settings.motions.is_some(), D == 2),
-        );
-        self.limit = (limit, reason);
-        tracing::debug!("{}", self.describe());
-        // Rank 0 writes; where it fails, all ranks hear of it with the next step.
-        if let Err(error) = self.history.row(&cells) {
-            self.failed.get_or_insert(error);
-        }
-    }
-
-    fn evaluate_outcome(&mut self) -> Evaluation {
-        let start = Instant::now();
-        let core = self.stepper.settings.core;
-        let particles = outcome::particles(&self.stepper.columns, &core, &self.stepper.settings.constants);
-        let target = self.scene.impact.as_ref().map_or(0, |impact| impact.target);
-        let question = Question { dimension: D, target_mass: self.scene.bodies[target].mass() };
-        let evaluation = outcome::evaluate(self.comm, &particles, &question);
-        self.stepper.phases.add(Phase::Outcome, start);
-        evaluation
-    }
-
-    /// Distributions of fragments, where the outcome counts.
-    fn write_outcome(&mut self) -> Result<()> {
-        let Some(evaluation) = &self.evaluation else { return Ok(()) };
-        report::write_distributions(evaluation, D, &self.options.directory, self.comm)?;
-        if self.scene.output.picture {
-            let source = report::PictureSource {
-                scene: self.scene,
-                stepper: &self.stepper,
-                time: self.state.time,
-                directory: &self.options.directory,
-            };
-            report::draw_cut(&source, self.comm)?;
-        }
-        Ok(())
-    }
-
-    fn write_snapshot_if_due(&mut self) -> Result<()> {
-        let Some(interval) = self.scene.output.snapshot_interval else { return Ok(()) };
-        if self.state.time + 1e-9 * interval < self.state.snapshots as f64 * interval {
-            return Ok(());
-        }
-        self.write_snapshot()
-    }
-
-    fn write_snapshot(&mut self) -> Result<()> {
-        let start = Instant::now();
-        self.state.snapshots += 1;
-        let name = format!("snapshot_{:04}.vtkhdf", self.state.snapshots);
-        let figures = [
-            ("energy_drift".to_string(), self.state.conservation.energy_drift()),
-            ("momentum_drift".to_string(), self.state.conservation.momentum),
-            ("angular_momentum_drift".to_string(), self.state.conservation.angular_momentum),
-        ];
-        let output = &self.scene.output;
-        let written = Snapshot {
-            columns: &self.stepper.columns,
-            bodies: &self.stepper.settings.constants,
-            time: self.state.time,
-            step: self.state.counters.steps,
-            scene: &self.scene.to_toml(),
-            figures: &figures,
-            storage: Storage {
-                single_precision: output.precision == Precision::F32,
-                gzip: (output.compression > 0).then_some(output.compression),
-            },
-        };
-        let collective = written.write(&self.options.directory.join(&name), self.comm)?;
-        if !collective {
-            tracing::warn!("{name} was not written collectively");
-        }
-        let series = self.options.directory.join("snapshots.vtkhdf.series");
-        snapshot::extend_series(&series, &name, self.state.time, self.comm)?;
-        self.stepper.phases.add(Phase::Output, start);
-        Ok(())
-    }
-
-    fn write_checkpoint(&mut self) -> Result<()> {
-        let start = Instant::now();
-        let mut state = self.state.clone();
-        state.spent = self.spent();
-        let meta = CheckpointMeta {
-            scene_hash: scene_hash(self.scene),
-            json: serde_json::to_string(&state).map_err(|e| Error::new(e.to_string()))?,
-            ..CheckpointMeta::default()
-        };
-        let id = self.stepper.settings.core.id;
-        checkpoint::write(&self.options.directory, &self.stepper.columns, id, &meta, self.comm)?;
-        self.saved = Instant::now();
-        self.stepper.phases.add(Phase::Output, start);
-        Ok(())
-    }
-
-    /// What the run has cost so far, over all ranks. Collective.
-    fn spent(&self) -> Spent {
-        let before = &self.state.spent;
-        let counters = &self.stepper.counters;
-        let micro = |seconds: f64| (1e6 * seconds) as i64;
-        let mut sums = [
-            micro(resources::cpu_seconds() - self.cpu_at_start)
-                - micro(self.comm.wait_cpu_seconds() - self.wait_cpu_at_start),
-            micro(self.comm.wait_seconds() - self.wait_at_start),
-            counters.pairs as i64,
-            counters.updates as i64,
-            counters.migrated as i64,
-        ];
-        self.comm.all_sum(&mut sums);
-        Spent {
-            wall: before.wall + self.started.elapsed().as_secs_f64(),
-            cpu: before.cpu + 1e-6 * sums[0] as f64,
-            wait: before.wait + 1e-6 * sums[1] as f64,
-            pairs: before.pairs + sums[2] as u64,
-            updates: before.updates + sums[3] as u64,
-            migrated: before.migrated + sums[4] as u64,
-        }
-    }
-
     /// Share of the run that is done, for the bar.
     fn done(&self) -> f64 {
         let end = match (&self.state.settled, self.end_time()) {
@@ -398,7 +275,7 @@ impl<'a, const D: usize> Run<'a, D> {
         self.state.time / end
     }
 
-    fn describe(&self) -> String {
+    pub(super) fn describe(&self) -> String {
         let state = &self.state;
         let (limit, reason) = &self.limit;
         let [x, y, z] = limit.position;
@@ -462,11 +339,6 @@ impl<'a, const D: usize> Run<'a, D> {
         }
         Ok(RunReport { ended, summary, outcome: self.state.outcome, later: self.later })
     }
-}
-
-/// Identifies what was asked for: the scene as understood, without what may change between restarts.
-fn scene_hash(scene: &Scene) -> String {
-    blake3::hash(scene.to_toml().as_bytes()).to_hex().to_string()
 }
 
 /// Where a scene's file lies decides the default directory.

@@ -1,0 +1,139 @@
+//! What a run writes on its way: rows of its history, outcomes, snapshots, checkpoints.
+
+use std::time::Instant;
+
+use super::report;
+use super::resources;
+use super::run::Run;
+use super::state::Spent;
+use crate::error::{Error, Result};
+use crate::outcome::{self, Evaluation, Question};
+use crate::output::{CheckpointMeta, Snapshot, Storage, checkpoint, snapshot};
+use crate::scene::{Precision, Scene};
+use crate::step::phases::Phase;
+
+impl<const D: usize> Run<'_, D> {
+    pub(super) fn write_history(&mut self) {
+        let (limit, reason) = self.stepper.tightest_limit();
+        let held = self.stepper.settings.motions.is_some();
+        let cells = report::history_row(&self.state, &self.totals, (&limit, reason), (held, D == 2));
+        self.limit = (limit, reason);
+        tracing::debug!("{}", self.describe());
+        // Rank 0 writes; where it fails, all ranks hear of it with the next step.
+        if let Err(error) = self.history.row(&cells) {
+            self.failed.get_or_insert(error);
+        }
+    }
+
+    pub(super) fn evaluate_outcome(&mut self) -> Evaluation {
+        let start = Instant::now();
+        let core = self.stepper.settings.core;
+        let particles = outcome::particles(&self.stepper.columns, &core, &self.stepper.settings.constants);
+        let target = self.scene.impact.as_ref().map_or(0, |impact| impact.target);
+        let question = Question { dimension: D, target_mass: self.scene.bodies[target].mass() };
+        let evaluation = outcome::evaluate(self.comm, &particles, &question);
+        self.stepper.phases.add(Phase::Outcome, start);
+        evaluation
+    }
+
+    /// Distributions of fragments, where the outcome counts.
+    pub(super) fn write_outcome(&mut self) -> Result<()> {
+        let Some(evaluation) = &self.evaluation else { return Ok(()) };
+        report::write_distributions(evaluation, D, &self.options.directory, self.comm)?;
+        if self.scene.output.picture {
+            let source = report::PictureSource {
+                scene: self.scene,
+                stepper: &self.stepper,
+                time: self.state.time,
+                directory: &self.options.directory,
+            };
+            report::draw_cut(&source, self.comm)?;
+        }
+        Ok(())
+    }
+
+    pub(super) fn write_snapshot_if_due(&mut self) -> Result<()> {
+        let Some(interval) = self.scene.output.snapshot_interval else { return Ok(()) };
+        if self.state.time + 1e-9 * interval < self.state.snapshots as f64 * interval {
+            return Ok(());
+        }
+        self.write_snapshot()
+    }
+
+    pub(super) fn write_snapshot(&mut self) -> Result<()> {
+        let start = Instant::now();
+        self.state.snapshots += 1;
+        let name = format!("snapshot_{:04}.vtkhdf", self.state.snapshots);
+        let figures = [
+            ("energy_drift".to_string(), self.state.conservation.energy_drift()),
+            ("momentum_drift".to_string(), self.state.conservation.momentum),
+            ("angular_momentum_drift".to_string(), self.state.conservation.angular_momentum),
+        ];
+        let output = &self.scene.output;
+        let written = Snapshot {
+            columns: &self.stepper.columns,
+            bodies: &self.stepper.settings.constants,
+            time: self.state.time,
+            step: self.state.counters.steps,
+            scene: &self.scene.to_toml(),
+            figures: &figures,
+            storage: Storage {
+                single_precision: output.precision == Precision::F32,
+                gzip: (output.compression > 0).then_some(output.compression),
+            },
+        };
+        let collective = written.write(&self.options.directory.join(&name), self.comm)?;
+        if !collective {
+            tracing::warn!("{name} was not written collectively");
+        }
+        let series = self.options.directory.join("snapshots.vtkhdf.series");
+        snapshot::extend_series(&series, &name, self.state.time, self.comm)?;
+        self.stepper.phases.add(Phase::Output, start);
+        Ok(())
+    }
+
+    pub(super) fn write_checkpoint(&mut self) -> Result<()> {
+        let start = Instant::now();
+        let mut state = self.state.clone();
+        state.spent = self.spent();
+        let meta = CheckpointMeta {
+            scene_hash: scene_hash(self.scene),
+            json: serde_json::to_string(&state).map_err(|e| Error::new(e.to_string()))?,
+            ..CheckpointMeta::default()
+        };
+        let id = self.stepper.settings.core.id;
+        checkpoint::write(&self.options.directory, &self.stepper.columns, id, &meta, self.comm)?;
+        self.saved = Instant::now();
+        self.stepper.phases.add(Phase::Output, start);
+        Ok(())
+    }
+
+    /// What the run has cost so far, over all ranks. Collective.
+    pub(super) fn spent(&self) -> Spent {
+        let before = &self.state.spent;
+        let counters = &self.stepper.counters;
+        let micro = |seconds: f64| (1e6 * seconds) as i64;
+        let mut sums = [
+            micro(resources::cpu_seconds() - self.cpu_at_start)
+                - micro(self.comm.wait_cpu_seconds() - self.wait_cpu_at_start),
+            micro(self.comm.wait_seconds() - self.wait_at_start),
+            counters.pairs as i64,
+            counters.updates as i64,
+            counters.migrated as i64,
+        ];
+        self.comm.all_sum(&mut sums);
+        Spent {
+            wall: before.wall + self.started.elapsed().as_secs_f64(),
+            cpu: before.cpu + 1e-6 * sums[0] as f64,
+            wait: before.wait + 1e-6 * sums[1] as f64,
+            pairs: before.pairs + sums[2] as u64,
+            updates: before.updates + sums[3] as u64,
+            migrated: before.migrated + sums[4] as u64,
+        }
+    }
+}
+
+/// Identifies what was asked for: the scene as understood, without what may change between restarts.
+pub fn scene_hash(scene: &Scene) -> String {
+    blake3::hash(scene.to_toml().as_bytes()).to_hex().to_string()
+}
