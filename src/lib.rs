@@ -15,6 +15,7 @@ pub mod gravity;
 pub mod material;
 pub mod pair;
 
+pub mod exact;
 pub mod outcome;
 pub mod output;
 pub mod scene;
