@@ -6,7 +6,9 @@
 
 pub mod grady_kipp;
 pub mod noh;
+pub mod piston;
 pub mod riemann;
+pub mod shock;
 pub mod waves;
 
 use crate::error::{Error, Result};
@@ -79,6 +81,22 @@ fn doubled_until(start: f64, reached: impl Fn(f64) -> bool) -> Result<f64> {
         }
     }
     Ok(bound)
+}
+
+/// One step of the classical Runge-Kutta method for dy/dx = `slope`(x, y), from `y` at `x` to x + `step`.
+fn runge_kutta<const N: usize>(
+    x: f64,
+    y: &[f64; N],
+    step: f64,
+    slope: impl Fn(f64, &[f64; N]) -> [f64; N],
+) -> [f64; N] {
+    let ahead = |by: f64, k: &[f64; N]| std::array::from_fn(|i| y[i] + by * k[i]);
+    let half = 0.5 * step;
+    let k1 = slope(x, y);
+    let k2 = slope(x + half, &ahead(half, &k1));
+    let k3 = slope(x + half, &ahead(half, &k2));
+    let k4 = slope(x + step, &ahead(step, &k3));
+    std::array::from_fn(|i| y[i] + step / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]))
 }
 
 #[cfg(test)]
