@@ -16,6 +16,7 @@ pub mod material;
 pub mod motion;
 pub mod pair;
 
+pub mod exact;
 pub mod outcome;
 pub mod output;
 pub mod scene;
