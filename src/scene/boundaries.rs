@@ -34,7 +34,7 @@ impl Axis {
 /// A stretch of an axis.
 pub type RawInterval = [Length; 2];
 
-fn interval(document: &Document, path: &str, [low, high]: RawInterval) -> Result<[f64; 2]> {
+pub(super) fn interval(document: &Document, path: &str, [low, high]: RawInterval) -> Result<[f64; 2]> {
     if low.0 < high.0 {
         return Ok([low.0, high.0]);
     }

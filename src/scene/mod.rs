@@ -3,6 +3,7 @@
 
 pub mod body;
 pub mod boundaries;
+pub mod compare;
 pub mod impact;
 mod keys;
 pub mod lattice;
@@ -25,6 +26,7 @@ use crate::material::{MaterialTable, Records};
 use crate::particles::Periods;
 pub use body::Body;
 pub use boundaries::Layer;
+pub use compare::Compare;
 pub use impact::Impact;
 pub use numerics::{ArtificialStress, Numerics, SmoothingLength};
 use raw::RawScene;
@@ -50,6 +52,7 @@ pub struct Scene {
     pub output: Output,
     pub record: Records,
     pub threshold: Option<Threshold>,
+    pub compare: Option<Compare>,
     understood: String,
     source: Source,
 }
@@ -146,6 +149,7 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
         output,
         record: raw.record,
         threshold,
+        compare: raw.compare.as_ref().map(|compare| compare.validate(document)).transpose()?,
         understood: String::new(),
         source: Source { path: String::new(), text: String::new(), overrides: Vec::new() },
     })
@@ -162,7 +166,8 @@ fn check_names(document: &Document, raw: &RawScene) -> Result<()> {
         return Err(document.error("body", what).allowed(format!("1 to {MOST_BODIES} tables [[body]]")));
     }
     // A body is addressed by its name, which therefore must not be another table's.
-    const TABLES: [&str; 13] = [
+    const TABLES: [&str; 14] = [
+        "compare",
         "layer",
         "domain",
         "title",

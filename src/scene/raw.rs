@@ -9,6 +9,7 @@ use serde::de::{IntoDeserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::boundaries::{RawDomain, RawLayer, RawMotion};
+use super::compare::RawCompare;
 use super::lattice::LatticeKind;
 use super::numerics::RawNumerics;
 use super::settings::{RawOutput, RawRun, RawThreshold};
@@ -41,6 +42,7 @@ pub struct RawScene {
     #[serde(default)]
     pub record: Records,
     pub threshold: Option<RawThreshold>,
+    pub compare: Option<RawCompare>,
 }
 
 fn three() -> u8 {

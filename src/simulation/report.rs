@@ -127,6 +127,8 @@ pub struct Report<'a, 'c, const D: usize> {
     pub totals: &'a Totals,
     pub later: Option<&'a Outcome>,
     pub spent: Spent,
+    /// Against the exact solution that the scene names.
+    pub errors: Figures,
     pub resident_at_start: f64,
     pub comm: &'a Comm,
 }
@@ -180,7 +182,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         list_builds: state.counters.list_builds,
         rebisections: state.counters.rebisections,
         migrated_particles: spent.migrated,
-        errors: Figures::default(),
+        errors: report.errors.clone(),
         outcome: state.outcome.as_ref().map(|outcome| outcome_figures(report, outcome)),
         threshold: None,
     }

@@ -3,6 +3,7 @@
 
 use std::ops::Range;
 
+use super::modes;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::kernel::{CubicSpline, Shape};
@@ -14,7 +15,7 @@ use crate::pair::record::Viscosity;
 use crate::pair::rows::Constants;
 use crate::pair::{PairLoop, Terms};
 use crate::particles::{Column, Columns, ParticleId, Registry};
-use crate::scene::{Blast, Body, Scene, SmoothingLength};
+use crate::scene::{Blast, Flow, Body, Scene, SmoothingLength};
 use crate::step::diagnostics::sum_over_ranks;
 use crate::step::pack::{PackSettings, Packer};
 use crate::step::stepper::StepSettings;
@@ -92,11 +93,15 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Plan {
 
 impl Plan {
     /// New particles of this rank's share of every body, and how to step them.
-    pub fn populate(self, scene: &Scene, comm: &Comm) -> (Columns, StepSettings) {
+    pub fn populate(self, scene: &Scene, comm: &Comm) -> Result<(Columns, StepSettings)> {
         let core = self.core;
         let mut columns = Columns::new(self.registry.clone());
         let internal_energy = self.registry.find::<f64>("internal_energy");
         for (number, body) in scene.bodies.iter().enumerate() {
+            let mode = match body.flow {
+                Some(Flow::Mode { shape, speed }) => Some((modes::Shape::new(scene, body, shape)?, speed)),
+                _ => None,
+            };
             let sites = share(body.lattice_sites(), comm);
             let count = body.count(sites.clone()) as usize;
             let first = columns.len();
@@ -106,7 +111,12 @@ impl Plan {
                 columns.set(core.position, i, Vec3::from(position));
                 let held = scene.layers.iter().position(|layer| layer.holds(number, position));
                 let motion = held.map_or(body.motion, |layer| scene.layers[layer].motion);
-                columns.set(core.velocity, i, Vec3::from(motion.start(body.velocity_at(position))));
+                let mut velocity = body.velocity_at(position);
+                if let Some((mode, speed)) = &mode {
+                    let swing = mode.velocity(std::array::from_fn(|k| position[k] - body.centre[k]));
+                    (0..3).for_each(|k| velocity[k] += speed * swing[k]);
+                }
+                columns.set(core.velocity, i, Vec3::from(motion.start(velocity)));
                 if let Some(layer) = self.motions.as_ref().and_then(|motions| motions.layer) {
                     columns.set(layer, i, held.map_or(0.0, |layer| (layer + 1) as f64));
                 }
@@ -120,7 +130,7 @@ impl Plan {
                 heat(&mut columns, first.., (core.position, u), (body, &blast, mass), comm);
             }
         }
-        (columns, self.settings(scene))
+        Ok((columns, self.settings(scene)))
     }
 
     /// How to step particles that come from a checkpoint.

@@ -65,6 +65,9 @@ pub struct RunState {
     /// Snapshots written.
     pub snapshots: u32,
     pub settled: Option<Settled>,
+    /// (time, s; amplitude, m/s) of a vibration that is compared with its exact period.
+    #[serde(default)]
+    pub vibration: Vec<[f64; 2]>,
     /// Outcome where the run settled, or at its end: this one counts.
     pub outcome: Option<Outcome>,
     /// When that was, s.
