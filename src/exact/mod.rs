@@ -8,7 +8,9 @@ pub mod grady_kipp;
 pub mod noh;
 pub mod piston;
 pub mod riemann;
+pub mod sedov;
 pub mod shock;
+pub mod vibration;
 pub mod waves;
 
 use crate::error::{Error, Result};
