@@ -15,7 +15,7 @@ use crate::pair::record::Viscosity;
 use crate::pair::rows::Constants;
 use crate::pair::{PairLoop, Terms};
 use crate::particles::{Column, Columns, ParticleId, Registry};
-use crate::scene::{Blast, Flow, Body, Scene, SmoothingLength};
+use crate::scene::{Blast, Body, Flow, Scene, SmoothingLength};
 use crate::step::diagnostics::sum_over_ranks;
 use crate::step::pack::{PackSettings, Packer};
 use crate::step::stepper::StepSettings;

@@ -50,7 +50,10 @@ impl Comparison {
             Reference::Turn(turn) => {
                 let turns = turn.spin * time / (2.0 * std::f64::consts::PI);
                 let named = |name: &str, value| (name.to_string(), value);
-                Ok(Figures(vec![named("angular_momentum", angular), named("angular_momentum_per_turn", angular / turns)]))
+                Ok(Figures(vec![
+                    named("angular_momentum", angular),
+                    named("angular_momentum_per_turn", angular / turns),
+                ]))
             }
         }
     }

@@ -72,7 +72,11 @@ impl<const D: usize> Reader<'_, '_, D> {
         };
         let mass = self.stepper.settings.constants[columns.get(core.id, i).body()].particle_mass;
         let internal_energy = self.energy.map_or(f64::NAN, |column| columns.get(column, i));
-        Sample { s, mass, state: State { density: columns.get(core.density.value, i), velocity, stress, internal_energy } }
+        Sample {
+            s,
+            mass,
+            state: State { density: columns.get(core.density.value, i), velocity, stress, internal_energy },
+        }
     }
 }
 
@@ -214,7 +218,13 @@ fn means(samples: &[Sample], low: f64, high: f64, comm: &Comm) -> Option<[f64; 4
 }
 
 /// Where the mean of a field over slabs crosses the middle of its two levels, nearest to `at`. Collective.
-fn crossing(samples: &[Sample], (field, levels): (usize, (f64, f64)), at: f64, margin: f64, comm: &Comm) -> Option<f64> {
+fn crossing(
+    samples: &[Sample],
+    (field, levels): (usize, (f64, f64)),
+    at: f64,
+    margin: f64,
+    comm: &Comm,
+) -> Option<f64> {
     const SLABS: usize = 48;
     let width = 2.0 * 3.0 * margin / SLABS as f64;
     let low = at - 3.0 * margin;
@@ -254,7 +264,8 @@ fn draw<const D: usize>(
     let share = SHOWN / count[0].max(1) as f64;
     // Drawn by number among a rank's own: which particles are shown says nothing about the run.
     let shown = samples.iter().zip(0u64..).filter(|(_, k)| uniform_pair(stepper.comm.rank() as u64, *k, 0)[0] < share);
-    let words: Vec<u64> = shown.flat_map(|(p, _)| [p.s].into_iter().chain(fields(&p.state)).map(f64::to_bits)).collect();
+    let words: Vec<u64> =
+        shown.flat_map(|(p, _)| [p.s].into_iter().chain(fields(&p.state)).map(f64::to_bits)).collect();
     let received = comm.sparse_exchange(vec![(0, words)]);
     if !comm.is_root() {
         return agree(comm, Ok(()));
@@ -264,10 +275,8 @@ fn draw<const D: usize>(
         .flat_map(|(_, words)| words.chunks_exact(5).map(|w| std::array::from_fn(|k| f64::from_bits(w[k]))))
         .collect();
     let (radius, step) = (matches!(profile.place, Place::Radius(_)), (ends[1] - ends[0]) / (POINTS - 1) as f64);
-    let curve: Vec<(f64, [f64; 4])> = (0..POINTS)
-        .map(|k| ends[0] + k as f64 * step)
-        .map(|s| (s, fields(&(profile.at)(s, time))))
-        .collect();
+    let curve: Vec<(f64, [f64; 4])> =
+        (0..POINTS).map(|k| ends[0] + k as f64 * step).map(|s| (s, fields(&(profile.at)(s, time)))).collect();
     let draw = |(k, (name, unit)): (usize, &(&str, &str))| {
         let series = |label: &str, points: Vec<(f64, f64)>, mark| Series {
             label: label.into(),

@@ -170,8 +170,7 @@ fn piston(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
     Ok(Profile { place: ALONG_X, within, at, origin: face })
 }
 
-const NOTHING: State =
-    State { density: f64::NAN, velocity: f64::NAN, stress: f64::NAN, internal_energy: f64::NAN };
+const NOTHING: State = State { density: f64::NAN, velocity: f64::NAN, stress: f64::NAN, internal_energy: f64::NAN };
 
 /// The lower body is the projectile. Strength is no part of the solution: the scene must do without.
 fn impact(scene: &Scene, within: [f64; 2], released: bool) -> Result<Profile> {
@@ -235,9 +234,8 @@ fn standing_wave(scene: &Scene) -> Result<Swing> {
     let sound = if along == moves { constants.longitudinal_speed() } else { constants.shear_speed() };
     let centre = body.centre;
     let flow = Flow::Wave { along, moves, wavelength, speed: 1.0 };
-    let shape = Box::new(move |x: [f64; 3]| {
-        flow.velocity(std::array::from_fn(|k| x[k] - centre[k])).unwrap_or_default()
-    });
+    let shape =
+        Box::new(move |x: [f64; 3]| flow.velocity(std::array::from_fn(|k| x[k] - centre[k])).unwrap_or_default());
     Ok(Swing { body: number, shape, frequency: 2.0 * std::f64::consts::PI * sound / wavelength, speed })
 }
 
