@@ -1,8 +1,7 @@
-//! Exact solutions that scenes are compared with: pure functions of physical parameters, in SI units. One file, one kind of
-//! solution; it opens with the equations and their source.
+//! Exact solutions that scenes are compared with: pure functions of physical parameters in SI units, or in any consistent ones
+//! where no material law is asked. One file, one kind of solution; it opens with the equations and their source.
 //!
-//! A solution lives along one coordinate: x of a plane wave, r of a blast or of a vibrating body. What its shape does not
-//! depend on (lengths, times, moduli) may have any consistent units.
+//! A solution lives along one coordinate: x of a plane wave, r of a blast or of a vibrating body.
 
 pub mod grady_kipp;
 pub mod noh;
@@ -33,6 +32,7 @@ fn all_positive(parameters: &[(&str, f64)]) -> Result<()> {
     all_above(0.0, parameters)
 }
 
+/// As [`all_positive`], above `bound`.
 fn all_above(bound: f64, parameters: &[(&str, f64)]) -> Result<()> {
     match parameters.iter().find(|(_, value)| !(*value > bound && value.is_finite())) {
         Some((name, value)) => {
@@ -54,14 +54,15 @@ fn unit_surface(dimension: usize) -> Result<f64> {
     }
 }
 
-/// The place between `low` and `high` where `f` changes sign, by bisection down to neighbouring numbers; fails where `f` has the same sign
-/// at both ends or is no number there. An end where `f` is zero is the answer.
+/// The place between `low` and `high` where `f` changes sign, by bisection down to neighbouring numbers; fails where `f` has
+/// the same sign at both ends or is no number there. An end where `f` is zero is the answer.
 fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> Result<f64> {
     let (at_low, at_high) = (f(low), f(high));
     if at_low == 0.0 || at_high == 0.0 {
         return Ok(if at_low == 0.0 { low } else { high });
     }
-    if !(at_low * at_high.signum() < 0.0) {
+    let bracketed = at_low * at_high.signum() < 0.0;
+    if !bracketed {
         return Err(Error::new(format!("no solution between {low:e} and {high:e}")));
     }
     loop {
@@ -78,7 +79,7 @@ fn doubled_until(start: f64, reached: impl Fn(f64) -> bool) -> Result<f64> {
     let mut bound = start;
     while !reached(bound) {
         bound *= 2.0;
-        if !bound.is_finite() {
+        if !bound.is_normal() {
             return Err(Error::new(format!("no solution above {start:e}")));
         }
     }
@@ -112,6 +113,6 @@ mod tests {
         assert_eq!(root(0.0, 1.0, |x| x).unwrap(), 0.0);
         assert!(root(0.0, 1.0, |_| f64::NAN).is_err() && root(0.0, 1.0, |x| x + 1.0).is_err());
         assert_eq!(doubled_until(1.0, |x| x > 5.0).unwrap(), 8.0);
-        assert!(doubled_until(1.0, |_| false).is_err());
+        assert!(doubled_until(1.0, |_| false).is_err() && doubled_until(0.0, |_| false).is_err());
     }
 }

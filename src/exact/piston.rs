@@ -122,6 +122,7 @@ impl Piston {
 #[cfg(test)]
 mod tests {
     use super::super::shock::tests::{aluminium, basalt, near, obeys_the_jump_conditions};
+    use super::super::waves::Elastic;
     use super::*;
 
     fn metal() -> Solid {
@@ -204,5 +205,23 @@ mod tests {
         let (driven, plain) = (Piston::new(&fluid, 500.0).unwrap().front, aluminium().shock(500.0).unwrap());
         assert_eq!(driven, plain);
         assert!(Piston::new(&metal(), -1.0).is_err());
+    }
+
+    #[test]
+    fn materials_of_scenes_have_exact_solutions() {
+        let text = r#"
+            eos = { tillotson = { rho_0 = 2700, a = 0.5, b = 1.5, A = "26.7 GPa", B = "26.7 GPa", E_0 = 487e6, E_iv = 4.72e6,
+                E_cv = 18.2e6, alpha = 5, beta = 5 } }
+            [strength]
+            yield = "von_mises"
+            shear_modulus = "22.7 GPa"
+            yield_strength = "3.5 GPa"
+            melting = { energy = 3.4e6 }
+        "#;
+        let material = toml::from_str(text).unwrap();
+        assert_eq!(Solid::of(&material), Some(Solid { melt_energy: Some(3.4e6), ..rock() }));
+        near(Elastic::of(&material).unwrap().longitudinal_speed(), 4593.3, 1e-5);
+        let gas = toml::from_str("eos = { ideal_gas = { gamma = 1.4 } }").unwrap();
+        assert!(Solid::of(&gas).is_none() && Elastic::of(&gas).is_none());
     }
 }

@@ -143,6 +143,8 @@ mod tests {
         ] {
             near(Sedov::new(dimension, gamma, 1.0, 1.0).unwrap().alpha, alpha, 1e-6);
         }
+        // Primakoff's blast has u and rho proportional to r: the integral is elementary.
+        near(Sedov::new(3, 7.0, 1.0, 1.0).unwrap().alpha, 2.0 * std::f64::consts::PI / 225.0, 1e-9);
         let blast = Sedov::new(3, 5.0 / 3.0, 2.0, 3.0).unwrap();
         let radius = blast.shock_radius(0.5);
         near(radius / libm::pow(2.0 * 0.25 / 3.0, 0.2), 1.151666, 1e-6);

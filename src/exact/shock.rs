@@ -13,7 +13,7 @@
 //! that reaches P = 0 stays there, so that the release is over.
 
 use super::{State, all_positive, root, runge_kutta};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::material::eos::Eos;
 
 /// Uniform matter at rest.
@@ -94,11 +94,7 @@ impl Medium {
         const GAS: f64 = 1e-6;
         let slope = |x: f64, y: &[f64; 2]| self.expansion(x, y[0]);
         let pressure = |x: f64, y: &[f64; 2]| self.law.pressure(libm::exp(x), y[0]).0;
-        if !(behind.stress > 0.0) {
-            return Err(
-                Error::new(format!("the pressure before release is {:e} Pa", behind.stress)).allowed("numbers above 0")
-            );
-        }
+        all_positive(&[("the density", behind.density), ("the pressure before release", behind.stress)])?;
         let (mut x, mut y) = (libm::log(behind.density), [behind.internal_energy, behind.velocity]);
         let (last, scale) = (x + libm::log(GAS), [y[0], y[1].abs() + slope(x, &y)[1].abs()]);
         let mut step = -LONGEST;
@@ -112,7 +108,8 @@ impl Medium {
                 step *= 0.5;
                 continue;
             }
-            if !(pressure(x + step, &whole) > 0.0) {
+            let pushes = pressure(x + step, &whole) > 0.0;
+            if !pushes {
                 let after = |part: f64| runge_kutta(x, &y, part * step, slope);
                 let part = root(0.0, 1.0, |part| {
                     let p = pressure(x + part * step, &after(part));

@@ -10,6 +10,7 @@
 
 use super::all_positive;
 use crate::error::Result;
+use crate::material::MaterialTable;
 
 /// An isotropic elastic solid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,6 +32,15 @@ impl Elastic {
             ("the density", density),
         ])?;
         Ok(Self { bulk_modulus, shear_modulus, density })
+    }
+
+    /// The material of a scene at its reference density; `None` without strength or for a gas.
+    pub fn of(material: &MaterialTable) -> Option<Self> {
+        Some(Self {
+            bulk_modulus: material.eos.law().bulk_modulus()?,
+            shear_modulus: material.strength.as_ref()?.shear_modulus.0,
+            density: material.reference_density()?,
+        })
     }
 
     fn speed(&self, modulus: f64) -> f64 {
