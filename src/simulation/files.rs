@@ -83,7 +83,7 @@ impl<const D: usize> Run<'_, D> {
             },
         };
         let collective = written.write(&self.options.directory.join(&name), self.comm)?;
-        if !collective {
+        if !collective && self.comm.is_root() {
             tracing::warn!("{name} was not written collectively");
         }
         let series = self.options.directory.join("snapshots.vtkhdf.series");
