@@ -13,8 +13,10 @@ pub mod neighbours;
 
 pub mod gravity;
 pub mod material;
+pub mod motion;
 pub mod pair;
 
+pub mod exact;
 pub mod outcome;
 pub mod output;
 pub mod scene;

@@ -31,6 +31,8 @@ pub type Acceleration = Quantity<1, 0, -2>;
 pub type Pressure = Quantity<-1, 1, -2>;
 /// kg/m^3
 pub type Density = Quantity<-3, 1, 0>;
+/// J
+pub type Energy = Quantity<2, 1, -2>;
 /// J/kg
 pub type SpecificEnergy = Quantity<2, 0, -2>;
 /// 1/s; a rate of rotation may also be given in rad/s or deg/s.
@@ -60,7 +62,7 @@ const fn kind(dimension: [i8; 4], name: &'static str, unit: &'static str, exampl
     Kind { dimension: Dimension(dimension), name, unit, examples }
 }
 
-const KINDS: [Kind; 13] = [
+const KINDS: [Kind; 14] = [
     kind([0, 0, 0, 0], "a pure number", "", "a number without unit"),
     kind([0, 0, 0, 1], "an angle", "rad", "\"45 deg\", \"0.5 rad\", or a number of rad"),
     kind([1, 0, 0, 0], "a length", "m", "\"50 km\", \"3 cm\", \"1e-6 m\", or a number of m"),
@@ -71,6 +73,7 @@ const KINDS: [Kind; 13] = [
     kind([1, 0, -2, 0], "an acceleration", "m/s^2", "\"9.81 m/s^2\", or a number of m/s^2"),
     kind([-1, 1, -2, 0], "a pressure", "Pa", "\"3.5 GPa\", \"7e9 dyn/cm^2\", \"2 Mbar\", or a number of Pa"),
     kind([-3, 1, 0, 0], "a density", "kg/m^3", "\"2700 kg/m^3\", \"2.7 g/cm^3\", or a number of kg/m^3"),
+    kind([2, 1, -2, 0], "an energy", "J", "\"3 J\", \"1e7 erg\", or a number of J"),
     kind([2, 0, -2, 0], "a specific energy", "J/kg", "\"1e5 J/kg\", \"3e10 erg/g\", or a number of J/kg"),
     kind([0, 0, -1, 0], "a rate", "1/s", "\"2e-4 rad/s\", \"3 1/s\", \"10 Hz\", or a number of 1/s"),
     kind([-3, 0, 0, 0], "a number density", "m^-3", "\"4.0e29 cm^-3\", \"1e35 m^-3\", or a number of m^-3"),

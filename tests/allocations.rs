@@ -50,7 +50,7 @@ fn allocations_of_steps(comm: &Comm) -> Vec<(u64, u64)> {
     workers::start_threads(1).expect("one thread");
     let scene = Scene::parse("impact.toml", IMPACT, &[]).expect("a scene");
     let plan = setup::plan(&scene, setup::count_particles(&scene, comm).expect("particles"));
-    let (columns, settings) = plan.populate(&scene, comm);
+    let (columns, settings) = plan.populate(&scene, comm).expect("a scene without modes");
     let mut stepper = Stepper::<3>::new(comm, columns, settings);
     let mut dt = stepper.start().expect("a first evaluation").dt;
     let mut found = Vec::new();

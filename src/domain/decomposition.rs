@@ -8,7 +8,7 @@ use super::ghosts::{Extent, Ghosts};
 use super::migration::migrate;
 use super::watch::Watch;
 use crate::math::Vec3;
-use crate::particles::{Column, Columns, Lattice, Local, ParticleId, Place, Site};
+use crate::particles::{Column, Columns, Lattice, Local, ParticleId, Periods, Place, Site};
 
 /// The columns that a decomposition needs.
 #[derive(Debug, Clone, Copy)]
@@ -28,17 +28,24 @@ pub struct Decomposition<const D: usize> {
     pub watch: Watch<D>,
     /// Particles that left this rank at the last build.
     pub migrated: usize,
-    lattice: Lattice,
+    space: Space,
     handles: Handles,
     sites: Vec<Site<D>>,
 }
 
+/// The cells of a run and the periods of its axes.
+#[derive(Debug, Clone, Copy)]
+pub struct Space {
+    pub lattice: Lattice,
+    pub periods: Periods,
+}
+
 impl<const D: usize> Decomposition<D> {
-    /// Distributes particles that stand on any ranks, and builds on their `build_position`. `lattice`: the same for the whole
+    /// Distributes particles that stand on any ranks, and builds on their `build_position`. `space`: the same for the whole
     /// run; `list_radius`: of an owned particle at its list build, m; `words`: numbers of a pair record. Collective.
     pub fn new(
         columns: &mut Columns,
-        (handles, lattice, words): (Handles, Lattice, usize),
+        (handles, space, words): (Handles, Space, usize),
         list_radius: &dyn Fn(&Columns, usize) -> f64,
         comm: &Comm,
     ) -> Self {
@@ -48,10 +55,10 @@ impl<const D: usize> Decomposition<D> {
         let mut new = Self {
             bisection,
             local: Local::default(),
-            ghosts: Ghosts::build::<D>(&[], &extents, words, comm).0,
-            watch: Watch::build(&lattice, &[], &extents, comm),
+            ghosts: Ghosts::build::<D>(&[], &extents, (words, &Periods::OPEN), comm).0,
+            watch: Watch::build(&space.lattice, &[], &extents, comm),
             migrated: 0,
-            lattice,
+            space,
             handles,
             sites: Vec::new(),
         };
@@ -75,10 +82,10 @@ impl<const D: usize> Decomposition<D> {
         self.migrated = migrate(columns, self.handles.build_position, &self.bisection, comm);
         self.sort(columns, list_radius);
         let extents = Extent::all(&self.sites, comm);
-        let (ghosts, incoming) = Ghosts::build(&self.sites, &extents, self.ghosts.words, comm);
+        let (ghosts, incoming) = Ghosts::build(&self.sites, &extents, (self.ghosts.words, &self.space.periods), comm);
         self.ghosts = ghosts;
-        self.local.build(&self.lattice, &self.sites, &incoming);
-        self.watch = Watch::build(&self.lattice, &self.sites, &extents, comm);
+        self.local.build(&self.space.lattice, &self.sites, &incoming);
+        self.watch = Watch::build(&self.space.lattice, &self.sites, &extents, comm);
     }
 
     /// Brings columns and sites into canonical order.
@@ -90,7 +97,7 @@ impl<const D: usize> Decomposition<D> {
         };
         let mut order: Vec<(Place, Site<D>, u32)> = (0..columns.len())
             .map(|i| (site(i), i as u32))
-            .map(|(site, i)| (self.lattice.place(&site), site, i))
+            .map(|(site, i)| (self.space.lattice.place(&site), site, i))
             .collect();
         order.sort_unstable_by_key(|(place, ..)| *place);
         self.sites.clear();

@@ -3,9 +3,12 @@
 //!
 //! A particle is a ghost on another rank if it lies nearer to that rank's tight box than the larger of its own list radius
 //! and the largest one there. That is more than the neighbours; lists take what is near, so the surplus changes nothing.
+//!
+//! Along periodic axes the same holds for a particle's images, of which a rank may need those of its own particles, too:
+//! ordinary ghosts that come with a shift.
 
 use super::comm::{Comm, Exchange};
-use crate::particles::Site;
+use crate::particles::{Periods, Site};
 
 /// Where a rank's particles are, and how far they reach.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,6 +67,12 @@ impl<const D: usize> Extent<D> {
         self.distance_squared(&site.position, &site.position) < radius * radius
     }
 
+    /// The extent of the images.
+    fn shifted(&self, shift: &[f64; D]) -> Self {
+        let by = |corner: &[f64; D]| std::array::from_fn(|k| corner[k] + shift[k]);
+        Self { low: by(&self.low), high: by(&self.high), radius: self.radius }
+    }
+
     fn may_need(&self, other: &Self) -> bool {
         let radius = self.radius.max(other.radius);
         self.distance_squared(&other.low, &other.high) < radius * radius
@@ -77,6 +86,8 @@ pub struct Ghosts {
     /// Carries `words` numbers for each of `send_indices` and for each incoming particle.
     pub exchange: Exchange,
     pub words: usize,
+    /// D numbers for each of `send_indices`: from the particle to its image, m. Empty without periodic axes.
+    pub send_shifts: Vec<f64>,
 }
 
 impl Ghosts {
@@ -85,21 +96,32 @@ impl Ghosts {
     pub fn build<const D: usize>(
         owned: &[Site<D>],
         extents: &[Extent<D>],
-        words: usize,
+        (words, periods): (usize, &Periods),
         comm: &Comm,
     ) -> (Self, Vec<Site<D>>) {
         let mine = &extents[comm.rank()];
-        let (mut send_indices, mut sends, mut messages) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut send_indices, mut send_shifts) = (Vec::new(), Vec::new());
+        let (mut sends, mut messages) = (Vec::new(), Vec::new());
+        let shifts = periods.shifts::<D>();
         for (rank, extent) in extents.iter().enumerate() {
-            if rank == comm.rank() || !extent.may_need(mine) {
-                continue;
-            }
             let start = send_indices.len();
-            send_indices.extend(owned.iter().zip(0u32..).filter(|(site, _)| extent.needs(site)).map(|(_, i)| i));
-            let sent = &send_indices[start..];
-            if !sent.is_empty() {
-                messages.push((rank, sent.iter().flat_map(|&i| to_words(&owned[i as usize])).collect()));
-                sends.push((rank, sent.len() * words));
+            let mut message = Vec::new();
+            for (number, shift) in shifts.iter().enumerate() {
+                if (rank == comm.rank() && number == 0) || !extent.may_need(&mine.shifted(shift)) {
+                    continue;
+                }
+                let images = owned.iter().map(|site| site.shifted(shift)).zip(0u32..);
+                for (image, i) in images.filter(|(image, _)| extent.needs(image)) {
+                    send_indices.push(i);
+                    message.extend(to_words(&image));
+                    if shifts.len() > 1 {
+                        send_shifts.extend(shift);
+                    }
+                }
+            }
+            if !message.is_empty() {
+                messages.push((rank, message));
+                sends.push((rank, (send_indices.len() - start) * words));
             }
         }
         let (mut incoming, mut receives) = (Vec::new(), Vec::new());
@@ -108,7 +130,7 @@ impl Ghosts {
             receives.push((rank, sites.len() * words));
             incoming.extend(sites);
         }
-        (Self { send_indices, exchange: Exchange::new(comm, &sends, &receives), words }, incoming)
+        (Self { send_indices, exchange: Exchange::new(comm, &sends, &receives), words, send_shifts }, incoming)
     }
 }
 

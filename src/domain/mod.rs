@@ -9,6 +9,6 @@ pub mod watch;
 
 pub use bisection::Bisection;
 pub use comm::{Comm, Exchange};
-pub use decomposition::{Decomposition, Handles};
+pub use decomposition::{Decomposition, Handles, Space};
 pub use ghosts::Ghosts;
 pub use watch::{Motion, Watch};

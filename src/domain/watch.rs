@@ -15,6 +15,10 @@
 //! is as wide: either a block there holds both, and R is its side, or at least two of its sides were between them, and so on.
 //! Beyond `ABOVE` levels over the widest occupied one, it is enough that no particle has moved by more than about one side.
 //!
+//! Along periodic axes a period is a whole number of cells at every level that particles live in, and blocks close on
+//! themselves. Wider levels would not fit, so nothing above the widest occupied one is watched: two sides of it are between
+//! particles that no block holds, and it is enough that none has moved by more than half a side.
+//!
 //! Extremes are exact and blocks belong to the global lattice, so any number of ranks gives the same answer, as long as every
 //! rank knows the whole content of all cells up to two away from its own: that is what ranks tell each other each step.
 
@@ -146,7 +150,8 @@ impl<const D: usize> Watch<D> {
     /// `owned`: in canonical order. Collective.
     pub fn build(lattice: &Lattice, owned: &[Site<D>], extents: &[Extent<D>], comm: &Comm) -> Self {
         let widest = widest_level(lattice, extents);
-        let (cells, levels) = own_cells(lattice, owned, (widest + ABOVE).min(MAX_LEVEL));
+        let above = if lattice.is_periodic() { 0 } else { ABOVE };
+        let (cells, levels) = own_cells(lattice, owned, (widest + above).min(MAX_LEVEL));
         let mut reach: Vec<f64> = Vec::with_capacity(cells.len());
         for (level, cells) in by_level(&cells, &levels) {
             let smallest = |c: &Cell| {
@@ -182,9 +187,9 @@ impl<const D: usize> Watch<D> {
             summaries: vec![Summary::NOTHING; known.reach.len()],
             supports: vec![0.0; cells.len()],
             radii: owned.iter().map(|s| s.radius).collect(),
-            blocks: known.blocks::<D>(&cells, &levels),
+            blocks: known.blocks::<D>(lattice, &cells, &levels),
             exchange: Exchange::new(comm, &sends, &receives),
-            farthest: lattice.side((levels.len() - 2) as u32) - 0.5 * lattice.side(widest),
+            farthest: farthest(lattice, widest, (levels.len() - 2) as u32, D),
             cells,
             levels,
             send_cells,
@@ -269,6 +274,23 @@ fn widest_level<const D: usize>(lattice: &Lattice, extents: &[Extent<D>]) -> u32
     lattice.level(extents.iter().map(|e| e.radius).fold(0.0, f64::max))
 }
 
+/// How far particles may move where blocks do not reach, m. Nowhere at all if the widest level does not fit into the
+/// periods: smoothing lengths that have grown so much are rare, and lists are then built in every step.
+fn farthest(lattice: &Lattice, widest: u32, top: u32, dimension: usize) -> f64 {
+    let fits =
+        if dimension == 2 { lattice.period::<2>(widest).is_some() } else { lattice.period::<3>(widest).is_some() };
+    if fits { lattice.side(top) - 0.5 * lattice.side(widest) } else { 0.0 }
+}
+
+/// A cell and those that touch it.
+fn around<const D: usize>(lattice: &Lattice, level: u32, code: u64) -> Block {
+    let side = Lattice::cells(level);
+    match lattice.period(level) {
+        Some(period) if lattice.is_periodic() => Block::around_periodic::<D>(code, side, period),
+        _ => Block::around::<D>(code, side),
+    }
+}
+
 fn by_level<'a>(cells: &'a [Cell], levels: &'a [usize]) -> impl Iterator<Item = (u32, &'a [Cell])> {
     (0u32..).zip(levels.windows(2)).map(|(level, range)| (level, &cells[range[0]..range[1]]))
 }
@@ -303,9 +325,13 @@ fn cells_near<const D: usize>(lattice: &Lattice, (cells, levels): (&[Cell], &[us
     let (low, high) = (lattice.coordinates(&extent.low), lattice.coordinates(&extent.high));
     let mut near = Vec::new();
     for (level, range) in (0u32..).zip(levels.windows(2)) {
+        let period = lattice.period::<D>(level).unwrap_or([0; D]);
         let touches = |cell: &Cell| {
             let c = curve::decode::<D>(cell.code);
-            (0..D).all(|k| c[k] + 2 >= low[k] >> level && c[k] <= (high[k] >> level) + 2)
+            (0..D).all(|k| {
+                let within = |c: u32| c + 2 >= low[k] >> level && c <= (high[k] >> level) + 2;
+                within(c[k]) || (period[k] > 0 && (within(c[k] + period[k]) || within(c[k] - period[k])))
+            })
         };
         near.extend((range[0]..range[1]).filter(|&c| touches(&cells[c])).map(|c| c as u32));
     }
@@ -347,17 +373,16 @@ impl Known {
     }
 
     /// The blocks around all cells that touch own ones, empty cells included.
-    fn blocks<const D: usize>(&self, cells: &[Cell], levels: &[usize]) -> Blocks {
+    fn blocks<const D: usize>(&self, lattice: &Lattice, cells: &[Cell], levels: &[usize]) -> Blocks {
         let mut blocks = Blocks { offsets: vec![0], ..Blocks::default() };
         let mut centres = Vec::new();
         for (level, cells) in by_level(cells, levels) {
-            let side = Lattice::cells(level);
             centres.clear();
-            cells.iter().for_each(|c| centres.extend_from_slice(Block::around::<D>(c.code, side).codes()));
+            cells.iter().for_each(|c| centres.extend_from_slice(around::<D>(lattice, level, c.code).codes()));
             centres.sort_unstable();
             centres.dedup();
             for &centre in &centres {
-                let around = Block::around::<D>(centre, side);
+                let around = around::<D>(lattice, level, centre);
                 let start = blocks.cells.len();
                 blocks
                     .cells

@@ -88,6 +88,8 @@ pub struct Core {
     pub position: Column<Vec3>,
     pub velocity: Column<Vec3>,
     pub acceleration: Column<Vec3>,
+    /// Change of the acceleration over the last step, by its length.
+    pub jerk: Column<Vec3>,
     /// Position at the last list build; lists and ghosts stand on it until the next.
     pub build_position: Column<Vec3>,
     pub density: Integrated<f64>,
@@ -232,6 +234,7 @@ pub fn declare_core(registry: &mut Registry) -> Core {
         position: registry.column(state("position", "m", "Position.", true)),
         velocity: registry.column(state("velocity", "m/s", "Velocity.", true)),
         acceleration: registry.column(state("acceleration", "m/s^2", "Acceleration at the last evaluation.", false)),
+        jerk: registry.column(state("jerk", "m/s^3", "Change of the acceleration over the last step, by its length.", false)),
         build_position: registry.column(state("build_position", "m", "Position at the last list build.", false)),
         density: registry.integrated(state("density", "kg/m^3", "Bulk density.", true)),
         pressure: registry.column(scratch(

@@ -3,12 +3,16 @@
 //! lives in the first level whose cells are as wide as its list radius.
 
 use super::curve;
+use super::periods::Periods;
 
 /// The widest level: two cells per dimension.
 pub const MAX_LEVEL: u32 = curve::BITS - 1;
 
 /// Cells are this much wider than the radii they hold, so that rounding in `x / side` cannot part neighbours.
 const MARGIN: f64 = 1.0 + 1.0 / (1 << 20) as f64;
+
+/// Far below that margin, far above rounding.
+const HAIR: f64 = 1.0 / (1u64 << 40) as f64;
 
 /// A particle as the neighbour search sees it: state at the last list build.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,6 +24,14 @@ pub struct Site<const D: usize> {
     pub radius: f64,
 }
 
+impl<const D: usize> Site<D> {
+    /// The image at this distance.
+    #[inline]
+    pub fn shifted(&self, shift: &[f64; D]) -> Self {
+        Self { position: std::array::from_fn(|k| self.position[k] + shift[k]), ..*self }
+    }
+}
+
 /// The canonical order: level, cell along the curve, global id.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Place {
@@ -29,26 +41,58 @@ pub struct Place {
     pub id: u64,
 }
 
-/// Cells of all levels: origin 0, fixed for the run.
+/// Cells of all levels: fixed for the run. Along a periodic axis a whole number of cells makes one period, at every level
+/// that the scene's bodies need.
 #[derive(Debug, Clone, Copy)]
 pub struct Lattice {
-    side: f64,
+    /// Sides of the cells of level 0, m.
+    sides: [f64; 3],
+    origin: [f64; 3],
+    /// Cells of level 0 in a period; zero along open axes.
+    period: [u32; 3],
 }
 
 impl Lattice {
     /// `radius`: the smallest list radius of the scene; smaller ones that come later live in level 0 all the same.
     pub fn new(radius: f64) -> Self {
-        Self { side: radius * MARGIN }
+        Self { sides: [radius * MARGIN; 3], origin: [0.0; 3], period: [0; 3] }
     }
 
-    /// Side of a level's cells, m.
+    /// The same in space that closes on itself; list radii up to `largest` get levels that fit into the periods, which must
+    /// be twice as long.
+    pub fn periodic(radius: f64, largest: f64, periods: &Periods) -> Self {
+        let mut lattice = Self::new(radius);
+        // Cells along periodic axes are a little wider than asked for, so the level is found with the others.
+        let level = lattice.level(largest);
+        for axis in (0..3).filter(|&axis| periods.closed(axis)) {
+            let widest = lattice.sides[axis] * (1u64 << level) as f64;
+            let cells = ((periods.length[axis] / widest) as u32).max(1) << level;
+            // So little too wide that rounding puts no position of the period into the cell beyond its end.
+            lattice.sides[axis] = periods.length[axis] / cells as f64 * (1.0 + HAIR);
+            lattice.origin[axis] = periods.low[axis];
+            lattice.period[axis] = cells;
+        }
+        lattice
+    }
+
+    /// Smallest side of a level's cells, m.
     pub fn side(&self, level: u32) -> f64 {
-        self.side * (1u64 << level) as f64
+        self.sides.iter().fold(f64::INFINITY, |a, &b| a.min(b)) * (1u64 << level) as f64
     }
 
     /// Cells per edge of the lattice.
     pub fn cells(level: u32) -> u32 {
         1 << (curve::BITS - level)
+    }
+
+    pub fn is_periodic(&self) -> bool {
+        self.period != [0; 3]
+    }
+
+    /// Cells of a level in a period along each axis, zero along open ones; `None` where a level does not fit into them.
+    pub fn period<const D: usize>(&self, level: u32) -> Option<[u32; D]> {
+        let fits = self.period.iter().all(|cells| cells % (1 << level) == 0);
+        fits.then(|| std::array::from_fn(|k| self.period[k] >> level))
     }
 
     /// The first level whose cells are as wide as `radius`. In the last level all cells touch, whatever the radius.
@@ -60,7 +104,10 @@ impl Lattice {
     /// cells nearer to each other, never apart. Those of level l follow by dropping l bits.
     pub fn coordinates<const D: usize>(&self, position: &[f64; D]) -> [u32; D] {
         let half = Self::cells(1) as f64;
-        position.map(|x| ((x / self.side).floor().clamp(-half, half - 1.0) + half) as u32)
+        std::array::from_fn(|k| {
+            let cell = ((position[k] - self.origin[k]) / self.sides[k]).floor();
+            (cell.clamp(-half, half - 1.0) + half) as u32
+        })
     }
 
     pub fn place<const D: usize>(&self, site: &Site<D>) -> Place {
@@ -125,6 +172,19 @@ mod tests {
     fn levels_hold_their_radii() {
         let lattice = Lattice::new(2.0);
         assert_eq!([0.5, 2.0, 2.1, 4.0, 4.1, 1e30].map(|r| lattice.level(r)), [0, 0, 1, 1, 2, MAX_LEVEL]);
+    }
+
+    #[test]
+    fn a_period_is_a_whole_number_of_cells() {
+        let periods = Periods { low: [0.0, -1.0, 0.0], length: [0.0, 10.0, 5.0] };
+        let lattice = Lattice::periodic(0.6, 1.5, &periods);
+        // Level 2 holds 1.5 in cells of 2.4: four of them in y, two in z.
+        assert_eq!(lattice.level(1.5), 2);
+        assert_eq!([0, 2].map(|level| lattice.period::<3>(level)), [Some([0, 16, 8]), Some([0, 4, 2])]);
+        assert_eq!(lattice.period::<3>(4), None);
+        let cell = |y: f64| lattice.coordinates(&[0.0, y, 0.0])[1];
+        assert_eq!(cell(9.0f64.next_down()) - cell(-1.0), 15);
+        assert!((0..1000).all(|k| lattice.level(0.6 + 0.001 * k as f64) >= Lattice::new(0.6).level(0.6)));
     }
 
     #[test]

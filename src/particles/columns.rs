@@ -269,6 +269,10 @@ impl Columns {
         bytemuck::cast_slice(&self.words[index])
     }
 
+    pub fn numbers_mut(&mut self, index: usize) -> &mut [f64] {
+        bytemuck::cast_slice_mut(&mut self.words[index])
+    }
+
     pub fn width(&self, index: usize) -> usize {
         self.registry.entries[index].width
     }

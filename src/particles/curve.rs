@@ -24,13 +24,30 @@ pub struct Block {
 impl Block {
     /// `side`: cells per edge of the lattice; there is nothing beyond its edges.
     pub fn around<const D: usize>(code: u64, side: u32) -> Self {
+        Self::of(decode::<D>(code).map(|c| (c.saturating_sub(1), (c + 1).min(side - 1))), |_, c| c)
+    }
+
+    /// The same on a lattice that closes on itself after `period` cells from its middle on; zero along open axes.
+    pub fn around_periodic<const D: usize>(code: u64, side: u32, period: [u32; D]) -> Self {
+        let ranges: [(u32, u32); D] = std::array::from_fn(|k| {
+            let c = decode::<D>(code)[k];
+            match period[k] {
+                0 => (c.saturating_sub(1), (c + 1).min(side - 1)),
+                // Three cells or fewer all touch.
+                n if n <= 3 => (side / 2, side / 2 + n - 1),
+                _ => (c - 1, c + 1),
+            }
+        });
+        Self::of(ranges, |k, c| if period[k] == 0 { c } else { wrapped(c, side / 2, period[k]) })
+    }
+
+    fn of<const D: usize>(ranges: [(u32, u32); D], place: impl Fn(usize, u32) -> u32) -> Self {
         let mut block = Self { codes: [0; 27], len: 1 };
-        for c in decode::<D>(code) {
-            let (low, high) = (c.saturating_sub(1), (c + 1).min(side - 1));
+        for (k, (low, high)) in ranges.into_iter().enumerate() {
             let mut next = Self { codes: [0; 27], len: 0 };
             for &prefix in block.codes() {
                 for c in low..=high {
-                    next.codes[next.len] = prefix << 1 | spread::<D>(c);
+                    next.codes[next.len] = prefix << 1 | spread::<D>(place(k, c));
                     next.len += 1;
                 }
             }
@@ -42,6 +59,11 @@ impl Block {
     pub fn codes(&self) -> &[u64] {
         &self.codes[..self.len]
     }
+}
+
+/// The coordinate within the `period` cells from `first` on, of one that lies at most a period beyond them.
+pub fn wrapped(c: u32, first: u32, period: u32) -> u32 {
+    first + (c + period - first) % period
 }
 
 /// Moves bit k to bit D k.

@@ -6,9 +6,11 @@ pub mod columns;
 pub mod curve;
 pub mod id;
 pub mod local;
+pub mod periods;
 
 pub use cells::{Lattice, Place, Site};
 pub use chunk::{Chunk, View};
 pub use columns::{Column, ColumnInfo, Columns, Element, Integrated, Life, Registry, Shape};
 pub use id::ParticleId;
 pub use local::Local;
+pub use periods::Periods;

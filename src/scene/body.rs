@@ -4,13 +4,17 @@ use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
-use super::lattice::{Lattice, LatticeKind, Rotation, random_rotation, rotation_about};
+use super::boundaries::fills;
+use super::lattice::{Faces, IDENTITY, Lattice, LatticeKind, Rotation, random_rotation, rotation_about};
 use super::raw::{Components, RawBody, RawOrientation, RawShape, Spacing};
 use super::shape::Shape;
 use super::source::Document;
+use super::start::{Blast, Flow};
 use crate::error::{Error, Result};
 use crate::material::eos::EosTable;
 use crate::material::{BodyConstants, MaterialTable};
+use crate::motion::Motion;
+use crate::particles::Periods;
 use crate::units::{Angle, Density, Frequency, Length, Number, Quantity, SpecificEnergy, Speed};
 
 /// A validated body, SI units.
@@ -34,6 +38,9 @@ pub struct Body {
     pub internal_energy: f64,
     /// Density at the start, kg/m^3.
     pub density: f64,
+    pub motion: Motion,
+    pub flow: Option<Flow>,
+    pub blast: Option<Blast>,
 }
 
 impl Body {
@@ -51,12 +58,13 @@ impl Body {
         self.shape.contains(std::array::from_fn(|k| point[k] - self.centre[k]), self.dimension)
     }
 
-    /// Velocity at the start of a particle at `point`, m/s.
+    /// Velocity at the start of a particle at `point`, m/s, but for a mode of vibration.
     pub fn velocity_at(&self, point: [f64; 3]) -> [f64; 3] {
         let r: [f64; 3] = std::array::from_fn(|k| point[k] - self.centre[k]);
         let [wx, wy, wz] = self.spin;
         let turning = [wy * r[2] - wz * r[1], wz * r[0] - wx * r[2], wx * r[1] - wy * r[0]];
-        std::array::from_fn(|k| self.velocity[k] + turning[k])
+        let flow = self.flow.and_then(|flow| flow.velocity(r)).unwrap_or_default();
+        std::array::from_fn(|k| self.velocity[k] + turning[k] + flow[k])
     }
 
     /// Lattice sites are numbered below this; those inside the shape are its particles.
@@ -106,6 +114,7 @@ pub struct Reader<'a> {
     pub document: &'a Document<'a>,
     pub path: String,
     pub dimension: usize,
+    pub periods: &'a Periods,
     /// Spacing that "target" stands for, m.
     pub target_spacing: Option<f64>,
     /// Whether [impact] places and moves this body; then it cannot do so itself.
@@ -148,7 +157,11 @@ impl Reader<'_> {
             damage: self.damage(raw, material.1)?,
             internal_energy,
             density,
+            motion: Motion::Free,
+            flow: self.flow(raw)?,
+            blast: self.blast(raw)?,
         };
+        let body = Body { motion: self.motion(raw, body.velocity)?, ..body };
         let mass = body.mass();
         if !(mass > 0.0 && mass.is_finite()) {
             let what = format!("the mass of the body comes to {mass} kg");
@@ -223,6 +236,24 @@ impl Reader<'_> {
         let mut vector = [0.0; 3];
         vector.iter_mut().zip(&components.0).for_each(|(v, c)| *v = c.0);
         Ok(vector)
+    }
+
+    fn motion(&self, raw: &RawBody, velocity: [f64; 3]) -> Result<Motion> {
+        let path = format!("{}.motion", self.path);
+        match &raw.motion {
+            None => Ok(Motion::Free),
+            Some(motion) => motion.validate(self.document, &path, (self.dimension, velocity)),
+        }
+    }
+
+    fn flow(&self, raw: &RawBody) -> Result<Option<Flow>> {
+        let path = format!("{}.flow", self.path);
+        raw.flow.as_ref().map(|flow| flow.validate(self.document, &path, self.dimension)).transpose()
+    }
+
+    fn blast(&self, raw: &RawBody) -> Result<Option<Blast>> {
+        let path = format!("{}.blast", self.path);
+        raw.blast.as_ref().map(|blast| blast.validate(self.document, &path)).transpose()
     }
 
     fn damage(&self, raw: &mut RawBody, material: &MaterialTable) -> Result<f64> {
@@ -308,7 +339,15 @@ impl Reader<'_> {
         if raw.particles.is_none() && raw.spacing.is_none() && self.target_spacing.is_some() {
             raw.spacing = Some(Spacing::OfTarget);
         }
-        let filling = Filling { kind: raw.lattice, rotation, shape, dimension: self.dimension };
+        let faces = match *shape {
+            Shape::Box { size } => Faces { flat: true, periodic: fills(self.periods, size) },
+            _ => Faces::default(),
+        };
+        if faces.periodic != [false; 3] && rotation != IDENTITY {
+            let what = "a turned lattice does not go on beyond a period";
+            return Err(self.error("orientation", what).allowed("no orientation"));
+        }
+        let filling = Filling { kind: raw.lattice, rotation, shape, dimension: self.dimension, faces };
         let lattice = match (raw.particles, raw.spacing) {
             (Some(_), Some(_)) => {
                 return Err(self.error("particles", "both particles and spacing are given").allowed("one of them"));
@@ -339,11 +378,12 @@ struct Filling<'a> {
     rotation: Rotation,
     shape: &'a Shape,
     dimension: usize,
+    faces: Faces,
 }
 
 impl Filling<'_> {
     fn lattice(&self, spacing: f64) -> Result<Lattice> {
-        Lattice::covering(self.kind, spacing, self.rotation, self.shape.bounds(self.dimension))
+        Lattice::covering(self.kind, spacing, self.rotation, self.shape.bounds(self.dimension), self.faces)
     }
 
     fn spacing_of(&self, particles: f64) -> f64 {

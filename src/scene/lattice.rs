@@ -55,6 +55,8 @@ pub struct Lattice {
     pub spacing: f64,
     /// From the lattice's frame to the body's.
     pub rotation: Rotation,
+    /// Distances between rows along the lattice's axes, m.
+    steps: [f64; 3],
     /// Middle of the block relative to the body's centre, m.
     middle: [f64; 3],
     /// Sites along the lattice's three axes.
@@ -63,8 +65,9 @@ pub struct Lattice {
 }
 
 impl Lattice {
-    /// The lattice over a box with the given middle and half extents (body frame, m; the last is 0 in 2D).
-    pub fn covering(kind: LatticeKind, spacing: f64, rotation: Rotation, bounds: Bounds) -> Result<Self> {
+    /// The lattice over a box with the given middle and half extents (body frame, m; the last is 0 in 2D). Along axes with
+    /// flat faces rows are moved apart or together by little, so that a whole number of them fills the box.
+    pub fn covering(kind: LatticeKind, spacing: f64, rotation: Rotation, bounds: Bounds, faces: Faces) -> Result<Self> {
         if !(spacing > 0.0 && spacing.is_finite()) {
             return Err(
                 Error::new(format!("the spacing comes to {spacing} m")).allowed("sizes within reach of numbers")
@@ -72,13 +75,27 @@ impl Lattice {
         }
         let dimension = bounds.dimension;
         let mut counts = [1; 3];
+        let mut steps = kind.steps().map(|step| step * spacing);
         let mut sites = 1.0;
         for axis in 0..dimension {
             // Half extent of the turned box along this axis of the lattice.
             let half: f64 = (0..3).map(|a| rotation[a][axis].abs() * bounds.half[a]).sum();
             // Rounding keeps every site of the infinite lattice that lies inside: the first row left out is a quarter step
             // or more beyond the edge, and rows are shifted by a quarter step at most.
-            let count = (2.0 * half / (spacing * kind.steps()[axis])).round().max(1.0);
+            let mut count = (2.0 * half / steps[axis]).round().max(1.0);
+            // Close-packed rows and layers alternate; on the other side of a period they must go on as they would.
+            if faces.periodic[axis] && kind == LatticeKind::ClosePacked && axis > 0 {
+                count = 2.0 * (half / steps[axis]).round().max(1.0);
+            }
+            let fitted = 2.0 * half / count;
+            let stretch = (fitted / steps[axis] - 1.0).abs();
+            if faces.periodic[axis] && stretch > MOST_STRETCH {
+                let what = format!("rows {} m apart do not fit into a period of {} m", steps[axis], 2.0 * half);
+                return Err(Error::new(what).allowed("a smaller spacing, or a longer period"));
+            }
+            if rotation == IDENTITY && (faces.flat && stretch <= MOST_STRETCH) {
+                steps[axis] = fitted;
+            }
             sites *= count;
             counts[axis] = count as u64;
         }
@@ -86,7 +103,7 @@ impl Lattice {
             return Err(Error::new(format!("a spacing of {spacing} m needs {sites:.2e} lattice sites"))
                 .allowed("at most 2^48 sites per body"));
         }
-        Ok(Self { kind, spacing, rotation, middle: bounds.middle, counts, dimension })
+        Ok(Self { kind, spacing, rotation, steps, middle: bounds.middle, counts, dimension })
     }
 
     /// Sites of the whole block; site numbers are below this.
@@ -96,7 +113,7 @@ impl Lattice {
 
     /// Volume (area in 2D) that belongs to one site.
     pub fn cell_volume(&self) -> f64 {
-        self.kind.cell_volume(self.spacing, self.dimension)
+        self.steps[..self.dimension].iter().product()
     }
 
     /// Position of a site relative to the body's centre, m.
@@ -111,9 +128,8 @@ impl Lattice {
                 at[1] += (k % 2) as f64 / 3.0 - 1.0 / 6.0;
             }
         }
-        let steps = self.kind.steps();
-        for (x, step) in at.iter_mut().zip(steps) {
-            *x *= step * self.spacing;
+        for (x, step) in at.iter_mut().zip(self.steps) {
+            *x *= step;
         }
         std::array::from_fn(|a| {
             let row = self.rotation[a];
@@ -121,6 +137,18 @@ impl Lattice {
         })
     }
 }
+
+/// What lattices may be fitted to.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Faces {
+    /// The bounds are the shape itself: a box.
+    pub flat: bool,
+    /// Axes along which the shape fills a period.
+    pub periodic: [bool; 3],
+}
+
+/// Rows are moved apart or together by this share at most.
+const MOST_STRETCH: f64 = 0.15;
 
 /// A box around a shape, in the body's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -164,7 +192,8 @@ mod tests {
     use super::*;
 
     fn block(kind: LatticeKind, rotation: Rotation, half: [f64; 3], dimension: usize) -> Lattice {
-        Lattice::covering(kind, 0.7, rotation, Bounds { middle: [0.1, -0.2, 0.0], half, dimension }).unwrap()
+        Lattice::covering(kind, 0.7, rotation, Bounds { middle: [0.1, -0.2, 0.0], half, dimension }, Faces::default())
+            .unwrap()
     }
 
     fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {

@@ -2,6 +2,8 @@
 //! [`Scene`]. Reading is pure and needs one process; a scene can be sent as bytes (serde) with every number's bits.
 
 pub mod body;
+pub mod boundaries;
+pub mod compare;
 pub mod impact;
 mod keys;
 pub mod lattice;
@@ -11,6 +13,7 @@ mod raw;
 pub mod settings;
 pub mod shape;
 pub mod source;
+pub mod start;
 #[cfg(test)]
 mod tests;
 
@@ -21,13 +24,17 @@ use toml::{Table, Value};
 
 use crate::error::{Error, Result};
 use crate::material::{MaterialTable, Records};
+use crate::particles::Periods;
 pub use body::Body;
+pub use boundaries::Layer;
+pub use compare::Compare;
 pub use impact::Impact;
 pub use numerics::{ArtificialStress, Numerics, SmoothingLength};
 use raw::RawScene;
 pub use settings::{Output, Precision, Run, Threshold, Until};
 pub use shape::Shape;
 use source::{Document, Source};
+pub use start::{Blast, Flow, Mode};
 
 /// A validated scene; all numbers in SI.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -36,6 +43,8 @@ pub struct Scene {
     /// 2 or 3.
     pub dimension: usize,
     pub bodies: Vec<Body>,
+    pub layers: Vec<Layer>,
+    pub periods: Periods,
     pub materials: Vec<MaterialTable>,
     pub material_names: Vec<String>,
     pub impact: Option<Impact>,
@@ -44,6 +53,7 @@ pub struct Scene {
     pub output: Output,
     pub record: Records,
     pub threshold: Option<Threshold>,
+    pub compare: Option<Compare>,
     understood: String,
     source: Source,
 }
@@ -121,8 +131,15 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
     raw.record.validate(&materials).map_err(|e| relocated(document, e))?;
     let numerics = raw.numerics.validate(document)?;
     let impact = raw.impact.as_mut().map(|i| Impact::read(document, i, &raw.body)).transpose()?;
-    let bodies = bodies(document, raw, &materials, &material_names, impact.as_ref(), numerics.eta)?;
+    let periods = raw.domain.validate(document, dimension)?;
+    if impact.is_some() && periods.any() {
+        return Err(boundaries::no_impact(document));
+    }
+    let bodies = bodies(document, raw, (&materials, &material_names), &periods, impact.as_ref(), numerics.eta)?;
     check_overlaps(document, &bodies)?;
+    boundaries::check_periods(document, &periods, &bodies, largest_reach(&bodies, &numerics))?;
+    let layers = raw.layer.iter().enumerate().map(|(number, layer)| layer.validate(document, number, &bodies));
+    let layers = layers.collect::<Result<Vec<_>>>()?;
     let run = raw.run.validate(document, impact.is_some())?;
     let output = raw.output.validate(document, run.until)?;
     let threshold = match &raw.threshold {
@@ -133,6 +150,8 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
         title: raw.title.clone(),
         dimension,
         bodies,
+        layers,
+        periods,
         materials,
         material_names,
         impact,
@@ -141,6 +160,7 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
         output,
         record: raw.record,
         threshold,
+        compare: raw.compare.as_ref().map(|compare| compare.validate(document)).transpose()?,
         understood: String::new(),
         source: Source { path: String::new(), text: String::new(), overrides: Vec::new() },
     })
@@ -157,8 +177,22 @@ fn check_names(document: &Document, raw: &RawScene) -> Result<()> {
         return Err(document.error("body", what).allowed(format!("1 to {MOST_BODIES} tables [[body]]")));
     }
     // A body is addressed by its name, which therefore must not be another table's.
-    const TABLES: [&str; 11] =
-        ["title", "dimension", "body", "impact", "material", "numerics", "run", "output", "record", "threshold", ""];
+    const TABLES: [&str; 14] = [
+        "compare",
+        "layer",
+        "domain",
+        "title",
+        "dimension",
+        "body",
+        "impact",
+        "material",
+        "numerics",
+        "run",
+        "output",
+        "record",
+        "threshold",
+        "",
+    ];
     for (number, body) in raw.body.iter().enumerate() {
         let path = format!("body.{number}.name");
         if TABLES.contains(&body.name.as_str()) || body.name.contains(['.', '=']) {
@@ -175,8 +209,8 @@ fn check_names(document: &Document, raw: &RawScene) -> Result<()> {
 fn bodies(
     document: &Document,
     raw: &mut RawScene,
-    materials: &[MaterialTable],
-    names: &[String],
+    (materials, names): (&[MaterialTable], &[String]),
+    periods: &Periods,
     impact: Option<&Impact>,
     eta: f64,
 ) -> Result<Vec<Body>> {
@@ -188,7 +222,8 @@ fn bodies(
         let material = names.iter().position(|n| *n == body.material);
         let what = || document.error(&format!("{path}.material"), format!("{} names no material", body.material));
         let material = material.ok_or_else(what)?;
-        body::Reader { document, path, dimension, target_spacing, placed }.read(body, (material, &materials[material]))
+        body::Reader { document, path, dimension, periods, target_spacing, placed }
+            .read(body, (material, &materials[material]))
     };
     let target_spacing = match impact {
         None => None,
@@ -216,6 +251,16 @@ fn bodies(
         (bodies[i.projectile].centre, bodies[i.projectile].velocity) = (centre, velocity);
     }
     Ok(bodies)
+}
+
+/// The largest list radius that any particle may get, m.
+fn largest_reach(bodies: &[Body], numerics: &Numerics) -> f64 {
+    let largest = bodies.iter().map(|body| body.expected_smoothing_length(numerics.eta)).fold(0.0, f64::max);
+    let growth = match numerics.smoothing_length {
+        SmoothingLength::Constant => 1.0,
+        SmoothingLength::FollowsDensity { largest, .. } => largest,
+    };
+    SUPPORT * (1.0 + numerics.skin) * growth * largest
 }
 
 fn check_overlaps(document: &Document, bodies: &[Body]) -> Result<()> {

@@ -8,9 +8,12 @@ use std::marker::PhantomData;
 use serde::de::{IntoDeserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use super::boundaries::{RawDomain, RawLayer, RawMotion};
+use super::compare::RawCompare;
 use super::lattice::LatticeKind;
 use super::numerics::RawNumerics;
 use super::settings::{RawOutput, RawRun, RawThreshold};
+use super::start::{RawBlast, RawFlow};
 use crate::material::{MaterialTable, Records};
 use crate::units::{Angle, Density, Frequency, Length, Number, Pressure, SpecificEnergy, Speed};
 
@@ -23,7 +26,11 @@ pub struct RawScene {
     pub dimension: u8,
     #[serde(default)]
     pub body: Vec<RawBody>,
+    #[serde(default)]
+    pub layer: Vec<RawLayer>,
     pub impact: Option<RawImpact>,
+    #[serde(default)]
+    pub domain: RawDomain,
     #[serde(default)]
     pub material: BTreeMap<String, MaterialTable>,
     #[serde(default)]
@@ -35,6 +42,7 @@ pub struct RawScene {
     #[serde(default)]
     pub record: Records,
     pub threshold: Option<RawThreshold>,
+    pub compare: Option<RawCompare>,
 }
 
 fn three() -> u8 {
@@ -59,6 +67,9 @@ pub struct RawBody {
     pub density: Option<Density>,
     pub internal_energy: Option<SpecificEnergy>,
     pub pressure: Option<Pressure>,
+    pub motion: Option<RawMotion>,
+    pub flow: Option<RawFlow>,
+    pub blast: Option<RawBlast>,
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]

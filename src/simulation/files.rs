@@ -15,7 +15,8 @@ use crate::step::phases::Phase;
 impl<const D: usize> Run<'_, D> {
     pub(super) fn write_history(&mut self) {
         let (limit, reason) = self.stepper.tightest_limit();
-        let cells = report::history_row(&self.state, &self.totals, (&limit, reason), D == 2);
+        let held = self.stepper.settings.motions.is_some();
+        let cells = report::history_row(&self.state, &self.totals, (&limit, reason), (held, D == 2));
         self.limit = (limit, reason);
         tracing::debug!("{}", self.describe());
         // Rank 0 writes; where it fails, all ranks hear of it with the next step.

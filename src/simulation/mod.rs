@@ -1,11 +1,13 @@
 //! One run of a scene, from its particles to its outcome and its price.
 
 mod collapse;
+pub mod compare;
 pub mod directory;
 pub mod faults;
 mod files;
 pub mod footprint;
 pub mod log;
+pub mod modes;
 pub mod report;
 pub mod resources;
 pub mod run;

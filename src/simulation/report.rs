@@ -21,7 +21,7 @@ use crate::step::time_step::Limit;
 use crate::step::{Stepper, Totals};
 
 /// Names and units of history.csv.
-pub fn history_columns(effects: &[Box<dyn MaterialEffect>], scene: &Scene) -> Vec<(String, String)> {
+pub fn history_columns(effects: &[Box<dyn MaterialEffect>], prescribed: bool, scene: &Scene) -> Vec<(String, String)> {
     let fixed = [
         ("step", ""),
         ("time", "s"),
@@ -44,12 +44,24 @@ pub fn history_columns(effects: &[Box<dyn MaterialEffect>], scene: &Scene) -> Ve
         .iter()
         .filter(|(name, _)| !planar || !["momentum_z", "angular_momentum_x", "angular_momentum_y"].contains(name));
     let own = |(name, unit): &(&str, &str)| (name.to_string(), unit.to_string());
+    let held = [
+        ("boundary_work", "J"),
+        ("boundary_impulse_x", "kg m/s"),
+        ("boundary_impulse_y", "kg m/s"),
+        ("boundary_impulse_z", "kg m/s"),
+    ];
+    let held = held.iter().filter(|(name, _)| prescribed && !(planar && *name == "boundary_impulse_z"));
     let diagnostics = effects.iter().flat_map(|effect| effect.diagnostics());
-    kept.map(own).chain(diagnostics.map(|d| (d.name.to_string(), d.unit.to_string()))).collect()
+    kept.map(own).chain(held.map(own)).chain(diagnostics.map(|d| (d.name.to_string(), d.unit.to_string()))).collect()
 }
 
 /// One row of history.csv.
-pub fn history_row(state: &RunState, totals: &Totals, (limit, reason): (&Limit, &str), planar: bool) -> Vec<Cell> {
+pub fn history_row(
+    state: &RunState,
+    totals: &Totals,
+    (limit, reason): (&Limit, &str),
+    (prescribed, planar): (bool, bool),
+) -> Vec<Cell> {
     let mut cells = vec![
         Cell::Integer(state.counters.steps),
         Cell::Real(state.time),
@@ -63,7 +75,13 @@ pub fn history_row(state: &RunState, totals: &Totals, (limit, reason): (&Limit, 
     ];
     let (p, l) = (totals.momentum, totals.angular_momentum);
     let vectors = if planar { vec![p.x, p.y, l.z] } else { vec![p.x, p.y, p.z, l.x, l.y, l.z] };
-    cells.extend(vectors.iter().chain(&totals.effects).map(|x| Cell::Real(*x)));
+    let j = totals.impulse;
+    let held = match (prescribed, planar) {
+        (false, _) => vec![],
+        (true, true) => vec![totals.work, j.x, j.y],
+        (true, false) => vec![totals.work, j.x, j.y, j.z],
+    };
+    cells.extend(vectors.iter().chain(&held).chain(&totals.effects).map(|x| Cell::Real(*x)));
     cells
 }
 
@@ -96,6 +114,11 @@ pub fn draw_cut<const D: usize>(source: &PictureSource<D>, comm: &Comm) -> Resul
     cut::draw(&source.directory.join("outcome.png"), &title, &plane, particles, comm)
 }
 
+/// Whether angular momentum is conserved: not where walls hold something or space closes on itself.
+fn turns_freely<const D: usize>(scene: &Scene, stepper: &Stepper<D>) -> bool {
+    stepper.settings.motions.is_none() && !scene.periods.any()
+}
+
 /// What a summary is made from.
 pub struct Report<'a, 'c, const D: usize> {
     pub scene: &'a Scene,
@@ -104,6 +127,8 @@ pub struct Report<'a, 'c, const D: usize> {
     pub totals: &'a Totals,
     pub later: Option<&'a Outcome>,
     pub spent: Spent,
+    /// Against the exact solution that the scene names.
+    pub errors: Figures,
     pub resident_at_start: f64,
     pub comm: &'a Comm,
 }
@@ -145,7 +170,10 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         list_bytes_per_particle: list / particles,
         energy_drift: conservation.energy_drift(),
         momentum_drift: conservation.momentum,
-        angular_momentum_drift: conservation.angular_momentum,
+        angular_momentum_drift: match turns_freely(report.scene, stepper) {
+            true => conservation.angular_momentum,
+            false => f64::NAN,
+        },
         phases: phase_shares(stepper, comm),
         effects: effect_shares(stepper, comm),
         ghost_fraction: ghosts / particles,
@@ -154,7 +182,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         list_builds: state.counters.list_builds,
         rebisections: state.counters.rebisections,
         migrated_particles: spent.migrated,
-        errors: Figures::default(),
+        errors: report.errors.clone(),
         outcome: state.outcome.as_ref().map(|outcome| outcome_figures(report, outcome)),
         threshold: None,
     }

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use super::collapse::Collapse;
+use super::compare::Comparison;
 use super::faults::{Asks, Fault};
 use super::files::scene_hash;
 use super::footprint::Footprint;
@@ -18,6 +19,7 @@ use crate::error::{Error, Result};
 use crate::outcome::settled::Settled;
 use crate::outcome::{Evaluation, Outcome};
 use crate::output::publish::replace_text;
+use crate::output::summary::Figures;
 use crate::output::{History, Summary, agree, checkpoint};
 use crate::particles::ParticleId;
 use crate::scene::{Scene, Until};
@@ -81,6 +83,7 @@ pub(super) struct Run<'a, const D: usize> {
     pub(super) wait_cpu_at_start: f64,
     pub(super) saved: Instant,
     pub(super) fault: Fault,
+    pub(super) comparison: Option<Comparison>,
     pub(super) evaluation: Option<Evaluation>,
     pub(super) later: Option<Outcome>,
     /// What failed on this rank alone.
@@ -100,6 +103,7 @@ impl<'a, const D: usize> Run<'a, D> {
         let wait_cpu_at_start = comm.wait_cpu_seconds();
         let log = || super::log::to_file(&options.directory.join("log.txt"), options.resume);
         agree(comm, if comm.is_root() { log() } else { Ok(()) })?;
+        let comparison = Comparison::new(scene)?;
         let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
         Footprint::new(scene, &plan, comm.size()).require(comm).map_err(|e| e.at(scene.path()))?;
         let fault = Fault::of_rank(comm.rank());
@@ -125,7 +129,7 @@ impl<'a, const D: usize> Run<'a, D> {
                 (stepper, Some(state))
             }
             None => {
-                let (columns, mut settings) = plan.populate(scene, comm);
+                let (columns, mut settings) = plan.populate(scene, comm)?;
                 settings.effects.extend(fault.effect(&settings.core));
                 (Stepper::new(comm, columns, settings), None)
             }
@@ -136,7 +140,7 @@ impl<'a, const D: usize> Run<'a, D> {
         };
         stepper.counters = state.counters;
         let totals = stepper.totals();
-        let columns = report::history_columns(&stepper.settings.effects, scene);
+        let columns = report::history_columns(&stepper.settings.effects, stepper.settings.motions.is_some(), scene);
         let labels: Vec<(&str, &str)> = columns.iter().map(|(name, unit)| (name.as_str(), unit.as_str())).collect();
         let resumed = (state.counters.steps > 0).then_some(state.counters.steps);
         let history = History::open(&options.directory.join("history.csv"), &labels, resumed, comm)?;
@@ -158,6 +162,7 @@ impl<'a, const D: usize> Run<'a, D> {
             wait_cpu_at_start,
             saved,
             fault,
+            comparison,
             evaluation: None,
             later: None,
             failed: None,
@@ -180,6 +185,7 @@ impl<'a, const D: usize> Run<'a, D> {
             conservation: Conservation::new(&first),
             snapshots: 0,
             settled,
+            vibration: Vec::new(),
             outcome: None,
             outcome_time: 0.0,
             spent: Spent::default(),
@@ -189,6 +195,7 @@ impl<'a, const D: usize> Run<'a, D> {
     fn run_to_end(mut self) -> Result<RunReport> {
         let mut progress = Progress::new(&self.options.directory.display().to_string(), self.comm.is_root());
         if self.state.counters.steps == 0 {
+            self.sample_vibration();
             self.write_history();
             self.write_snapshot_if_due()?;
         }
@@ -218,7 +225,7 @@ impl<'a, const D: usize> Run<'a, D> {
                 if self.comm.is_root() {
                     tracing::warn!("stopped at step {steps}, t = {:e} s; --resume goes on", self.state.time);
                 }
-                return self.report(Ended::Interrupted);
+                return self.report(Ended::Interrupted, Figures::default());
             }
         }
         drop(progress);
@@ -304,6 +311,7 @@ impl<'a, const D: usize> Run<'a, D> {
     fn note_totals(&mut self) -> Result<()> {
         self.totals = self.stepper.totals();
         self.state.conservation.note(&self.totals);
+        self.sample_vibration();
         self.write_history();
         let time = self.state.time;
         let settled = self.state.settled.as_mut().is_some_and(|settled| settled.update(time, self.totals.internal));
@@ -316,6 +324,19 @@ impl<'a, const D: usize> Run<'a, D> {
             self.write_outcome()?;
         }
         Ok(())
+    }
+
+    fn sample_vibration(&mut self) {
+        let Some(comparison) = &self.comparison else { return };
+        self.state.vibration.extend(comparison.sample(&self.stepper, self.state.time, self.comm));
+    }
+
+    /// Errors against the solution that the scene names, with their figures. Collective.
+    fn errors(&self) -> Result<Figures> {
+        let Some(comparison) = &self.comparison else { return Ok(Figures::default()) };
+        let noted = (self.state.time, self.state.conservation.angular_momentum, &self.state.vibration[..]);
+        let directory = self.scene.output.picture.then_some(&self.options.directory);
+        comparison.finish(&self.stepper, noted, directory.map(|path| path.as_path()), self.comm)
     }
 
     /// Share of the run that is done, for the bar.
@@ -371,10 +392,11 @@ impl<'a, const D: usize> Run<'a, D> {
             self.write_snapshot()?;
         }
         self.write_checkpoint()?;
-        self.report(Ended::Finished)
+        let errors = self.errors()?;
+        self.report(Ended::Finished, errors)
     }
 
-    fn report(self, ended: Ended) -> Result<RunReport> {
+    fn report(self, ended: Ended, errors: Figures) -> Result<RunReport> {
         let spent = self.spent();
         let summary = report::summarise(&Report {
             scene: self.scene,
@@ -383,6 +405,7 @@ impl<'a, const D: usize> Run<'a, D> {
             totals: &self.totals,
             later: self.later.as_ref(),
             spent,
+            errors,
             resident_at_start: self.options.resident_at_start,
             comm: self.comm,
         });

@@ -3,16 +3,20 @@
 
 use std::ops::Range;
 
+use super::modes;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
+use crate::kernel::{CubicSpline, Shape};
 use crate::material::{self, BodyConstants, Core, MaterialEffect, Setup};
-use crate::math::Vec3;
+use crate::math::{ExactSum, Vec3};
+use crate::motion::Motions;
 use crate::pair::artificial_stress;
 use crate::pair::record::Viscosity;
 use crate::pair::rows::Constants;
 use crate::pair::{PairLoop, Terms};
-use crate::particles::{Columns, ParticleId, Registry};
-use crate::scene::{Scene, SmoothingLength};
+use crate::particles::{Column, Columns, ParticleId, Registry};
+use crate::scene::{Blast, Body, Flow, Scene, SmoothingLength};
+use crate::step::diagnostics::sum_over_ranks;
 use crate::step::pack::{PackSettings, Packer};
 use crate::step::stepper::StepSettings;
 
@@ -23,6 +27,7 @@ pub struct Plan {
     pub effects: Vec<Box<dyn MaterialEffect>>,
     pub terms: Terms,
     pub constants: Vec<BodyConstants>,
+    pub motions: Option<Motions>,
     /// alpha and beta of each body's material.
     viscosity: Vec<(f64, f64)>,
 }
@@ -64,6 +69,13 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Plan {
         smoothing_length,
     };
     let (core, effects) = material::effects(&setup, &mut registry);
+    let masses = constants.iter().map(|body| body.particle_mass).collect();
+    let motions = Motions::declare(
+        scene.bodies.iter().map(|body| body.motion).collect(),
+        scene.layers.iter().map(|layer| layer.motion).collect(),
+        masses,
+        &mut registry,
+    );
     let coefficients = |&m: &usize| scene.materials[m].viscosity_coefficients().map_or((0.0, 0.0), |[a, b]| (a, b));
     let viscosity: Vec<(f64, f64)> = body_material.iter().map(coefficients).collect();
     let tensile = scene.numerics.artificial_stress.is_some();
@@ -77,16 +89,20 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Plan {
         artificial_stress: tensile,
         correction: scene.numerics.corrected_gradient,
     };
-    Plan { registry, core, effects, terms, constants, viscosity }
+    Plan { registry, core, effects, terms, constants, motions, viscosity }
 }
 
 impl Plan {
     /// New particles of this rank's share of every body, and how to step them.
-    pub fn populate(self, scene: &Scene, comm: &Comm) -> (Columns, StepSettings) {
+    pub fn populate(self, scene: &Scene, comm: &Comm) -> Result<(Columns, StepSettings)> {
         let core = self.core;
         let mut columns = Columns::new(self.registry.clone());
         let internal_energy = self.registry.find::<f64>("internal_energy");
         for (number, body) in scene.bodies.iter().enumerate() {
+            let mode = match body.flow {
+                Some(Flow::Mode { shape, speed }) => Some((modes::Shape::new(scene, body, shape)?, speed)),
+                _ => None,
+            };
             let sites = share(body.lattice_sites(), comm);
             let count = body.count(sites.clone()) as usize;
             let first = columns.len();
@@ -94,14 +110,28 @@ impl Plan {
             for (i, (site, position)) in (first..).zip(body.sites(sites)) {
                 columns.set(core.id, i, ParticleId::new(number, site));
                 columns.set(core.position, i, Vec3::from(position));
-                columns.set(core.velocity, i, Vec3::from(body.velocity_at(position)));
+                let held = scene.layers.iter().position(|layer| layer.holds(number, position));
+                let motion = held.map_or(body.motion, |layer| scene.layers[layer].motion);
+                let mut velocity = body.velocity_at(position);
+                if let Some((mode, speed)) = &mode {
+                    let swing = mode.velocity(std::array::from_fn(|k| position[k] - body.centre[k]));
+                    (0..3).for_each(|k| velocity[k] += speed * swing[k]);
+                }
+                columns.set(core.velocity, i, Vec3::from(motion.start(velocity)));
+                if let Some(layer) = self.motions.as_ref().and_then(|motions| motions.layer) {
+                    columns.set(layer, i, held.map_or(0.0, |layer| (layer + 1) as f64));
+                }
                 columns.set(core.density.value, i, body.density);
                 if let Some(u) = internal_energy {
                     columns.set(u, i, body.internal_energy);
                 }
             }
+            if let (Some(blast), Some(u)) = (body.blast, internal_energy) {
+                let mass = self.constants[number].particle_mass;
+                heat(&mut columns, first.., (core.position, u), (body, &blast, mass), comm);
+            }
         }
-        (columns, self.settings(scene))
+        Ok((columns, self.settings(scene)))
     }
 
     /// How to step particles that come from a checkpoint.
@@ -127,10 +157,36 @@ impl Plan {
             effects: self.effects,
             constants: self.constants,
             packer,
+            motions: self.motions,
+            periods: scene.periods,
             pair_loop: PairLoop::new(scene.dimension, self.terms, numerics.kernel, constants),
             cfl: numerics.cfl,
             skin: numerics.skin,
         }
+    }
+}
+
+/// Adds the energy of a blast to the particles of its body from `range` on; the sum over all ranks is exact to rounding.
+/// Collective.
+fn heat(
+    columns: &mut Columns,
+    range: std::ops::RangeFrom<usize>,
+    (position, energy): (Column<Vec3>, Column<f64>),
+    (body, blast, mass): (&Body, &Blast, f64),
+    comm: &Comm,
+) {
+    let h = 0.5 * blast.radius;
+    let shares: Vec<f64> = (range.start..columns.len())
+        .map(|i| {
+            let r = columns.get(position, i) - Vec3::from(body.centre);
+            CubicSpline::value(r.norm() / h)
+        })
+        .collect();
+    let mut sum = ExactSum::new();
+    shares.iter().for_each(|share| sum.add(*share));
+    let total = sum_over_ranks(std::slice::from_mut(&mut sum), comm)[0];
+    for (i, share) in range.zip(shares) {
+        columns.set(energy, i, columns.get(energy, i) + blast.energy / mass * (share / total));
     }
 }
 

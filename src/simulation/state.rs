@@ -6,7 +6,8 @@ use crate::outcome::Outcome;
 use crate::outcome::settled::Settled;
 use crate::step::{Counters, Totals};
 
-/// Largest deviations of conserved quantities so far.
+/// Largest deviations of conserved quantities so far. What walls and pistons do is counted: energy stands for energy less
+/// their work, momentum for momentum less theirs.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Conservation {
     /// J.
@@ -19,16 +20,16 @@ pub struct Conservation {
     pub energy: f64,
     /// Largest |p - p0| over sum m |v|.
     pub momentum: f64,
-    /// Largest |L - L0| over sum m |x| |v|.
+    /// Largest |L - L0| over sum m |x| |v|; says something in open space without prescribed motion only.
     pub angular_momentum: f64,
 }
 
 impl Conservation {
     pub fn new(first: &Totals) -> Self {
         Self {
-            initial_energy: first.energy(),
+            initial_energy: first.balance(),
             energy_scale: first.kinetic_in_centre_of_mass(),
-            initial_momentum: first.momentum.into(),
+            initial_momentum: first.momentum_balance().into(),
             initial_angular_momentum: first.angular_momentum.into(),
             ..Self::default()
         }
@@ -37,8 +38,8 @@ impl Conservation {
     pub fn note(&mut self, now: &Totals) {
         let off = |a: [f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
         let share = |off: f64, scale: f64| if scale > 0.0 { off / scale } else { off };
-        self.energy = self.energy.max((now.energy() - self.initial_energy).abs());
-        let momentum = share(off(now.momentum.into(), &self.initial_momentum), now.momentum_scale);
+        self.energy = self.energy.max((now.balance() - self.initial_energy).abs());
+        let momentum = share(off(now.momentum_balance().into(), &self.initial_momentum), now.momentum_scale);
         self.momentum = self.momentum.max(momentum);
         let angular = share(off(now.angular_momentum.into(), &self.initial_angular_momentum), now.angular_scale);
         self.angular_momentum = self.angular_momentum.max(angular);
@@ -64,6 +65,9 @@ pub struct RunState {
     /// Snapshots written.
     pub snapshots: u32,
     pub settled: Option<Settled>,
+    /// (time, s; amplitude, m/s) of a vibration that is compared with its exact period.
+    #[serde(default)]
+    pub vibration: Vec<[f64; 2]>,
     /// Outcome where the run settled, or at its end: this one counts.
     pub outcome: Option<Outcome>,
     /// When that was, s.

@@ -4,6 +4,7 @@
 use crate::domain::comm::Comm;
 use crate::material::{BodyConstants, Core, MaterialEffect};
 use crate::math::{ExactSum, Vec3};
+use crate::motion::Motions;
 use crate::particles::{Column, Columns};
 
 /// Sums over all particles.
@@ -19,6 +20,10 @@ pub struct Totals {
     pub momentum: Vec3,
     /// About the origin, kg m^2/s; in 2D only z.
     pub angular_momentum: Vec3,
+    /// Done by what prescribes the motion of particles, J.
+    pub work: f64,
+    /// Given by it, kg m/s.
+    pub impulse: Vec3,
     /// Sum of m |v|, the scale of momentum errors, kg m/s.
     pub momentum_scale: f64,
     /// Sum of m |x| |v|, the scale of errors of angular momentum, kg m^2/s.
@@ -30,6 +35,16 @@ pub struct Totals {
 impl Totals {
     pub fn energy(&self) -> f64 {
         self.kinetic + self.internal
+    }
+
+    /// What stays constant: energy less the work of whatever prescribes motion, J.
+    pub fn balance(&self) -> f64 {
+        self.energy() - self.work
+    }
+
+    /// The same of momentum, kg m/s.
+    pub fn momentum_balance(&self) -> Vec3 {
+        self.momentum - self.impulse
     }
 
     /// Kinetic energy in the centre-of-mass frame, J.
@@ -44,11 +59,12 @@ pub struct Sources<'a> {
     pub core: &'a Core,
     pub constants: &'a [BodyConstants],
     pub effects: &'a [Box<dyn MaterialEffect>],
+    pub motions: Option<&'a Motions>,
     pub internal_energy: Option<Column<f64>>,
 }
 
 /// Sums that every scene has, before those of effects.
-const FIXED: usize = 11;
+const FIXED: usize = 15;
 
 /// Collective.
 pub fn totals(sources: &Sources, comm: &Comm) -> Totals {
@@ -63,8 +79,26 @@ pub fn totals(sources: &Sources, comm: &Comm) -> Totals {
         let u = sources.internal_energy.map_or(0.0, |u| columns.get(u, i));
         let v2 = v.norm_squared();
         let speed = v2.sqrt();
-        let fixed =
-            [m, 0.5 * m * v2, m * u, p.x, p.y, p.z, l.x, l.y, l.z, m * speed, m * speed * x.norm_squared().sqrt()];
+        let (work, j) = sources.motions.map_or((0.0, Vec3::zeros()), |motions| {
+            (columns.get(motions.work.value, i), columns.get(motions.impulse.value, i))
+        });
+        let fixed = [
+            m,
+            0.5 * m * v2,
+            m * u,
+            p.x,
+            p.y,
+            p.z,
+            l.x,
+            l.y,
+            l.z,
+            m * speed,
+            m * speed * x.norm_squared().sqrt(),
+            work,
+            j.x,
+            j.y,
+            j.z,
+        ];
         fixed.iter().zip(&mut sums).for_each(|(term, sum)| sum.add(*term));
         let mut first = FIXED;
         for (effect, count) in sources.effects.iter().zip(&counts) {
@@ -83,6 +117,8 @@ pub fn totals(sources: &Sources, comm: &Comm) -> Totals {
         angular_momentum: Vec3::new(values[6], values[7], values[8]),
         momentum_scale: values[9],
         angular_scale: values[10],
+        work: values[11],
+        impulse: Vec3::new(values[12], values[13], values[14]),
         effects: values[FIXED..].to_vec(),
     }
 }

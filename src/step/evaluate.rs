@@ -11,6 +11,7 @@ use super::pack::{Packer, read_stress};
 use super::time_step::{self, Limit};
 use crate::material::{BodyConstants, Core, Local, MaterialEffect, Motion};
 use crate::math::{Mat3, Sym};
+use crate::motion::Motions;
 use crate::pair::{Layout, PairLoop, RowSums, Rows, correction};
 use crate::particles::chunk::{CHUNK, Chunk};
 use crate::particles::{Registry, Shape};
@@ -77,6 +78,7 @@ pub struct Physics<'a> {
     pub effects: &'a [Box<dyn MaterialEffect>],
     pub packer: &'a Packer,
     pub pair_loop: &'a PairLoop,
+    pub motions: Option<&'a Motions>,
     pub cfl: f64,
 }
 
@@ -109,9 +111,10 @@ impl Physics<'_> {
         for block in &workspace.new_rates {
             block.iter().for_each(|word| word.set(0));
         }
+        let held = self.motions.and_then(|motions| self.constrain(motions, chunk, workspace));
         let local = self.local(chunk, workspace, dt);
         self.each_effect(workspace, |effect| effect.rates(&local));
-        let limit = self.step_limit(&local, chunk, workspace);
+        let limit = self.step_limit(&local, chunk, workspace, held);
         if !self.rates_are_finite(chunk, workspace) {
             let bad = self.first_bad_rate(chunk, &local, workspace);
             workspace.bad = Bad::first(workspace.bad.take(), bad);
@@ -184,10 +187,20 @@ impl Physics<'_> {
         }
     }
 
-    fn step_limit(&self, local: &Local, chunk: &Chunk, workspace: &Workspace) -> Limit {
+    /// Motion as the scene prescribes it.
+    fn constrain(&self, motions: &Motions, chunk: &Chunk, workspace: &mut Workspace) -> Option<(f64, usize)> {
+        let Workspace { acceleration, new_rates, bodies, .. } = workspace;
+        let rates = (&mut acceleration[..], &new_rates[..]);
+        match self.registry.dimension {
+            2 => motions.constrain::<2>(chunk, self.core.velocity, bodies, rates),
+            _ => motions.constrain::<3>(chunk, self.core.velocity, bodies, rates),
+        }
+    }
+
+    fn step_limit(&self, local: &Local, chunk: &Chunk, workspace: &Workspace, held: Option<(f64, usize)>) -> Limit {
         let dimension = self.registry.dimension;
         let sound_speed = chunk.view(self.core.sound_speed);
-        let mut best = (f64::INFINITY, 0, Limit::CFL);
+        let mut best = held.map_or((f64::INFINITY, 0, Limit::CFL), |(dt, k)| (dt, k, Limit::MOTION));
         for k in 0..chunk.len() {
             let body = workspace.bodies[k] as usize;
             let h = self.packer.chunk_smoothing_length(chunk, k, body);

@@ -5,10 +5,11 @@
 use super::phases::{Phase, Phases};
 use super::stepper::{Counters, StepSettings};
 use crate::domain::comm::Comm;
-use crate::domain::{Decomposition, Handles, Motion};
+use crate::domain::{Decomposition, Handles, Motion, Space};
 use crate::kernel::SUPPORT;
 use crate::material::{BodyConstants, Core};
 use crate::neighbours::NeighbourList;
+use crate::pair::Layout;
 use crate::particles::{Column, Columns, Lattice, Local, Registry};
 
 /// Planes are moved when the largest load of a rank exceeds the mean by more than this share.
@@ -29,7 +30,7 @@ pub struct Neighbourhood<const D: usize> {
     smoothing_length: Option<(Column<f64>, Column<f64>)>,
     /// List radius over smoothing length.
     reach: f64,
-    lattice: Lattice,
+    space: Space,
     words: usize,
     costs: Vec<u32>,
 }
@@ -48,7 +49,7 @@ impl<const D: usize> Neighbourhood<D> {
             core,
             smoothing_length,
             reach,
-            lattice: lattice(reach, &settings.constants, smoothing_length.is_some()),
+            space: Space { lattice: lattice(reach, settings, smoothing_length.is_some()), periods: settings.periods },
             words: settings.pair_loop.layout.words(),
             costs: Vec::new(),
         }
@@ -74,9 +75,20 @@ impl<const D: usize> Neighbourhood<D> {
 
     /// The next build stands on the present positions and smoothing lengths.
     pub fn start_afresh(&self, columns: &mut Columns) {
+        self.wrap(columns);
         columns.copy(self.core.position.index, self.core.build_position.index);
         if let Some((now, at_build)) = self.smoothing_length {
             columns.copy(now.index, at_build.index);
+        }
+    }
+
+    /// Brings positions back into the periods.
+    fn wrap(&self, columns: &mut Columns) {
+        let periods = &self.space.periods;
+        for axis in (0..D).filter(|&axis| periods.closed(axis)) {
+            for place in columns.numbers_mut(self.core.position.index).as_chunks_mut::<D>().0 {
+                place[axis] = periods.wrapped(axis, place[axis]);
+            }
         }
     }
 
@@ -93,7 +105,7 @@ impl<const D: usize> Neighbourhood<D> {
         match &mut self.decomposition {
             Some(decomposition) => decomposition.rebuild_from_build_positions(columns, &radius, comm),
             None => {
-                let basis = (self.handles, self.lattice, self.words);
+                let basis = (self.handles, self.space, self.words);
                 self.decomposition = Some(Decomposition::new(columns, basis, &radius, comm));
             }
         }
@@ -193,6 +205,12 @@ impl<const D: usize> Neighbourhood<D> {
             let slot = local.slot_of_owned[i as usize] as usize;
             to.copy_from_slice(&records[slot * stride..slot * stride + words]);
         }
+        if !ghosts.send_shifts.is_empty() {
+            let outgoing = ghosts.exchange.outgoing().chunks_exact_mut(words);
+            for (shift, to) in ghosts.send_shifts.as_chunks::<D>().0.iter().zip(outgoing) {
+                (0..D).for_each(|k| to[Layout::POSITION + k] += shift[k]);
+            }
+        }
         ghosts.exchange.start(comm);
     }
 
@@ -222,12 +240,15 @@ impl<const D: usize> Neighbourhood<D> {
 /// Cells of one level are just as wide as the list radius of the body with the most particles: a level that missed it by
 /// little would hold its particles in cells twice as wide, with eight times the candidates. The smallest body begins at
 /// level 0. Where smoothing lengths vary, a little expansion must not lift particles to the next level either.
-fn lattice(reach: f64, constants: &[BodyConstants], varies: bool) -> Lattice {
+fn lattice(reach: f64, settings: &StepSettings, varies: bool) -> Lattice {
+    let constants = &settings.constants;
     let smallest = constants.iter().map(|body| body.smoothing_length).fold(f64::INFINITY, f64::min);
+    let largest = constants.iter().map(|body| body.smoothing_length).fold(0.0, f64::max);
     let largest_body = constants.iter().max_by_key(|body| body.particles).expect("a scene has bodies");
-    let mut side = largest_body.smoothing_length * if varies { 1.05 } else { 1.0 };
+    let room = if varies { 1.05 } else { 1.0 };
+    let mut side = largest_body.smoothing_length * room;
     while side > smallest {
         side *= 0.5;
     }
-    Lattice::new(reach * side)
+    Lattice::periodic(reach * side, reach * room * largest, &settings.periods)
 }

@@ -13,9 +13,10 @@ use super::time_step::Limit;
 use super::workers::Workers;
 use crate::domain::comm::Comm;
 use crate::material::{BodyConstants, Core, MaterialEffect};
+use crate::motion::Motions;
 use crate::pair::{PairLoop, Rows};
 use crate::particles::chunk::{CHUNK, Chunks};
-use crate::particles::{Column, Columns, ParticleId};
+use crate::particles::{Column, Columns, ParticleId, Periods};
 
 /// Chunks between two looks at the messages on their way.
 const CHUNKS_PER_POLL: usize = 8;
@@ -27,6 +28,9 @@ pub struct StepSettings {
     pub constants: Vec<BodyConstants>,
     pub packer: Packer,
     pub pair_loop: PairLoop,
+    /// Where a scene prescribes how particles move.
+    pub motions: Option<Motions>,
+    pub periods: Periods,
     pub cfl: f64,
     /// Skin of the neighbour lists over the support.
     pub skin: f64,
@@ -146,6 +150,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
             core: &self.settings.core,
             constants: &self.settings.constants,
             effects: &self.settings.effects,
+            motions: self.settings.motions.as_ref(),
             internal_energy: self.internal_energy,
         };
         let totals = diagnostics::totals(&sources, self.comm);
@@ -177,6 +182,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         match reason {
             Limit::CFL => "CFL",
             Limit::ACCELERATION => "acceleration",
+            Limit::MOTION => "damping",
             effect => self.settings.effects[effect - Limit::EFFECTS].name(),
         }
     }
@@ -354,6 +360,7 @@ fn physics<'a>(settings: &'a StepSettings, registry: &'a crate::particles::Regis
         effects: &settings.effects,
         packer: &settings.packer,
         pair_loop: &settings.pair_loop,
+        motions: settings.motions.as_ref(),
         cfl: settings.cfl,
     }
 }

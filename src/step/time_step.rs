@@ -12,7 +12,7 @@ use crate::particles::ParticleId;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit {
     pub dt: f64,
-    /// 0 CFL, 1 acceleration, then the material effects in their order.
+    /// 0 CFL, 1 acceleration, 2 damping by prescribed motion, then the material effects in their order.
     pub reason: usize,
     pub id: ParticleId,
     pub position: [f64; 3],
@@ -21,8 +21,9 @@ pub struct Limit {
 impl Limit {
     pub const CFL: usize = 0;
     pub const ACCELERATION: usize = 1;
+    pub const MOTION: usize = 2;
     /// First number of a material effect.
-    pub const EFFECTS: usize = 2;
+    pub const EFFECTS: usize = 3;
 
     pub const NONE: Self = Self { dt: f64::INFINITY, reason: 0, id: ParticleId(u64::MAX), position: [0.0; 3] };
 

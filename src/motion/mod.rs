@@ -1,0 +1,141 @@
+//! Motion that a scene prescribes for whole bodies or for layers of them: walls, pistons, rollers, layers that swallow waves.
+//! It acts on accelerations, after the sums over pairs and before the corrector:
+//!
+//! ```text
+//! fixed, velocity   v = V for ever,                 a = 0
+//! along             only the named components move, a_k = 0 for the others
+//! damping           a' = a - (v - V) / tau          (V: the velocity at the start)
+//! ```
+//!
+//! What holds a particle does work on it and takes up momentum. Both are integrated like everything else, so that a run with
+//! walls still knows whether it conserves: dW/dt = m (a' - a).v and dJ/dt = m (a' - a), with a the free acceleration. Energy
+//! less W and momentum less J stay constant.
+
+use std::cell::Cell;
+
+use serde::{Deserialize, Serialize};
+
+use crate::math::Vec3;
+use crate::particles::{Chunk, Column, ColumnInfo, Integrated, Life, Registry, View};
+
+/// Largest step over the time constant of a damping layer.
+const DAMPING_STEP: f64 = 0.25;
+
+/// How a particle may move.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, Default)]
+pub enum Motion {
+    /// As the forces ask.
+    #[default]
+    Free,
+    /// With this velocity, m/s, whatever the forces.
+    Prescribed([f64; 3]),
+    /// Along these axes only.
+    Along([bool; 3]),
+    /// Towards its body's first velocity (m/s), within about this time, s.
+    Damped { time: f64, towards: [f64; 3] },
+}
+
+impl Motion {
+    /// The velocity that a particle starts with, m/s.
+    pub fn start(&self, velocity: [f64; 3]) -> [f64; 3] {
+        match self {
+            Motion::Prescribed(given) => *given,
+            Motion::Along(free) => std::array::from_fn(|k| if free[k] { velocity[k] } else { 0.0 }),
+            Motion::Free | Motion::Damped { .. } => velocity,
+        }
+    }
+
+    #[inline]
+    fn constrained(&self, free: Vec3, velocity: Vec3) -> Vec3 {
+        match self {
+            Motion::Free => free,
+            Motion::Prescribed(_) => Vec3::zeros(),
+            Motion::Along(along) => Vec3::from_fn(|k, _| if along[k] { free[k] } else { 0.0 }),
+            Motion::Damped { time, towards } => free - (velocity - Vec3::from(*towards)) / *time,
+        }
+    }
+}
+
+/// The prescribed motions of a scene and what they have done so far.
+#[derive(Debug, Clone)]
+pub struct Motions {
+    /// Of whole bodies.
+    pub bodies: Vec<Motion>,
+    /// Of layers; numbered from one on in the column.
+    pub layers: Vec<Motion>,
+    /// Layer of each particle, zero outside; only where there are layers.
+    pub layer: Option<Column<f64>>,
+    /// Work done on the particle by what holds it, J.
+    pub work: Integrated<f64>,
+    /// Momentum it got from there, kg m/s.
+    pub impulse: Integrated<Vec3>,
+    masses: Vec<f64>,
+}
+
+impl Motions {
+    /// Declares the columns, or `None` where everything moves freely: then nothing of this exists. `masses`: of a particle
+    /// of each body, kg.
+    pub fn declare(
+        bodies: Vec<Motion>,
+        layers: Vec<Motion>,
+        masses: Vec<f64>,
+        registry: &mut Registry,
+    ) -> Option<Self> {
+        if layers.is_empty() && bodies.iter().all(|motion| *motion == Motion::Free) {
+            return None;
+        }
+        let state = |name, unit, about, snapshot| ColumnInfo { name, unit, about, life: Life::State, snapshot };
+        registry.owner("motion");
+        let layer = "Number of the layer that prescribes the particle's motion, zero outside.";
+        let work = "Work done on the particle by what prescribes its motion.";
+        let impulse = "Momentum that the particle got from what prescribes its motion.";
+        Some(Self {
+            layer: (!layers.is_empty()).then(|| registry.column(state("layer", "", layer, true))),
+            work: registry.integrated(state("boundary_work", "J", work, false)),
+            impulse: registry.integrated(state("boundary_impulse", "kg m/s", impulse, false)),
+            bodies,
+            layers,
+            masses,
+        })
+    }
+
+    fn of(&self, chunk: &Chunk, k: usize, body: usize) -> &Motion {
+        let layer = self.layer.map_or(0, |column| chunk.view(column).get(k) as usize);
+        if layer == 0 { &self.bodies[body] } else { &self.layers[layer - 1] }
+    }
+
+    /// Turns the free accelerations of a chunk (D numbers each, m/s^2) into those of its motions and writes the rates of
+    /// work and impulse. Returns the largest step that damping allows, s, and for which particle.
+    pub fn constrain<const D: usize>(
+        &self,
+        chunk: &Chunk,
+        velocity: Column<Vec3>,
+        bodies: &[u16],
+        (acceleration, new_rates): (&mut [f64], &[Vec<Cell<u64>>]),
+    ) -> Option<(f64, usize)> {
+        let velocity = chunk.view(velocity);
+        let work = View::new(&new_rates[self.work.slot], 1);
+        let impulse = View::new(&new_rates[self.impulse.slot], D);
+        let mut limit: Option<(f64, usize)> = None;
+        for (k, a) in acceleration.as_chunks_mut::<D>().0.iter_mut().take(chunk.len()).enumerate() {
+            let body = bodies[k] as usize;
+            let motion = self.of(chunk, k, body);
+            if *motion == Motion::Free {
+                continue;
+            }
+            let v = velocity.get(k);
+            let free = Vec3::from_fn(|axis, _| if axis < D { a[axis] } else { 0.0 });
+            let held = motion.constrained(free, v);
+            let rate = self.masses[body] * (held - free);
+            work.set(k, rate.dot(&v));
+            impulse.set(k, rate);
+            (0..D).for_each(|axis| a[axis] = held[axis]);
+            if let Motion::Damped { time, .. } = motion
+                && limit.is_none_or(|(least, _)| DAMPING_STEP * time < least)
+            {
+                limit = Some((DAMPING_STEP * time, k));
+            }
+        }
+        limit
+    }
+}

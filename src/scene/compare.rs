@@ -1,0 +1,56 @@
+//! `[compare]`: the exact solution that a scene is compared with. Its parameters are those of the scene.
+
+use serde::{Deserialize, Serialize};
+
+use super::boundaries::RawInterval;
+use super::source::Document;
+use crate::error::Result;
+
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawCompare {
+    with: Solution,
+    within: Option<RawInterval>,
+}
+
+/// The solutions there are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Solution {
+    /// Two bodies of the same ideal gas that touch in a plane across x.
+    Riemann,
+    /// A body of ideal gas with a `blast`.
+    Blast,
+    /// A body of cold ideal gas that flows towards its centre (`flow.radial`).
+    Implosion,
+    /// A body, or a layer of one, with a prescribed velocity along x drives a solid.
+    Piston,
+    /// Two bodies meet in a plane across x.
+    Impact,
+    /// The same, when the shock has left through the target's free surface.
+    Release,
+    /// A body with `flow.wave`.
+    StandingWave,
+    /// A body with `flow.mode`.
+    Vibration,
+    /// A body with a `spin`.
+    Rotation,
+}
+
+/// A validated comparison.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Compare {
+    pub with: Solution,
+    /// Stretch of the solution's coordinate (x of the scene, or the distance from the centre) that counts, m.
+    pub within: [f64; 2],
+}
+
+impl RawCompare {
+    pub(super) fn validate(&self, document: &Document) -> Result<Compare> {
+        let within = match self.within {
+            None => [f64::MIN, f64::MAX],
+            Some(ends) => super::boundaries::interval(document, "compare.within", ends)?,
+        };
+        Ok(Compare { with: self.with, within })
+    }
+}

@@ -1,0 +1,60 @@
+//! The exact solution that a scene names: made at the start from the scene's own numbers, compared at the end.
+
+pub mod profile;
+pub mod signal;
+pub mod solution;
+
+use std::path::Path;
+
+use crate::domain::comm::Comm;
+use crate::error::Result;
+use crate::output::summary::Figures;
+use crate::scene::Scene;
+use crate::step::Stepper;
+use solution::Reference;
+
+/// What a run compares itself with, and what it has noted on its way.
+pub struct Comparison {
+    reference: Reference,
+    title: String,
+}
+
+impl Comparison {
+    /// `None` where the scene names no solution; an error where its bodies do not make the problem that it names.
+    pub fn new(scene: &Scene) -> Result<Option<Self>> {
+        let Some(compare) = &scene.compare else { return Ok(None) };
+        let reference = solution::of(scene, compare).map_err(|e| e.at(format!("{}: compare", scene.path())))?;
+        Ok(Some(Self { reference, title: scene.title.clone() }))
+    }
+
+    /// How far the vibration is out, where one is watched; (time, amplitude). Collective.
+    pub fn sample<const D: usize>(&self, stepper: &Stepper<D>, time: f64, comm: &Comm) -> Option<[f64; 2]> {
+        match &self.reference {
+            Reference::Swing(swing) => Some([time, signal::amplitude(swing, stepper, comm)]),
+            Reference::Profile(_) | Reference::Turn(_) => None,
+        }
+    }
+
+    /// Errors by name, and figures into the directory where asked for. `angular`: drift of angular momentum; `samples`: what
+    /// [`Comparison::sample`] gave. Collective.
+    pub fn finish<const D: usize>(
+        &self,
+        stepper: &Stepper<D>,
+        (time, angular, samples): (f64, f64, &[[f64; 2]]),
+        directory: Option<&Path>,
+        comm: &Comm,
+    ) -> Result<Figures> {
+        match &self.reference {
+            Reference::Profile(profile) => profile::compare(profile, stepper, time, (&self.title, directory), comm),
+            Reference::Swing(swing) => signal::compare(swing, samples, (&self.title, directory), comm),
+            Reference::Turn(turn) => {
+                let turns = turn.spin * time / (2.0 * std::f64::consts::PI);
+                let named = |name: &str, value| (name.to_string(), value);
+                Ok(Figures(vec![
+                    named("angular_momentum", angular),
+                    named("angular_momentum_per_turn", angular / turns),
+                ]))
+            }
+        }
+    }
+}

@@ -1,0 +1,251 @@
+//! From a scene to the solution it names.
+
+use crate::error::{Error, Result};
+use crate::exact::piston::{Piston, Solid};
+use crate::exact::riemann::{Gas, Riemann};
+use crate::exact::shock::{Impact, Medium};
+use crate::exact::waves::Elastic;
+use crate::exact::{State, noh::Noh, sedov::Sedov};
+use crate::material::MaterialTable;
+use crate::material::eos::EosTable;
+use crate::motion::Motion;
+use crate::scene::compare::{Compare, Solution};
+use crate::scene::{Body, Flow, Scene, Shape};
+use crate::simulation::modes::Shape as ModeShape;
+
+/// A solution ready to be compared with.
+pub enum Reference {
+    Profile(Profile),
+    Swing(Swing),
+    Turn(Turn),
+}
+
+/// A solution along a coordinate; fields that are no numbers do not count.
+pub struct Profile {
+    pub place: Place,
+    /// Coordinates that count, m, as the scene counts them.
+    pub within: [f64; 2],
+    /// State at a coordinate (m) and a time (s).
+    pub at: Box<dyn Fn(f64, f64) -> State + Sync>,
+    /// Where waves start at t = 0, m: front speeds are measured from here.
+    pub origin: f64,
+}
+
+/// What a coordinate measures.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Place {
+    /// Along this axis; the velocity that counts is that along `moves`.
+    Axis { along: usize, moves: usize },
+    /// Distance from this point, m.
+    Radius([f64; 3]),
+}
+
+/// A vibration of one body.
+pub struct Swing {
+    pub body: usize,
+    /// The shape: velocity at a place, m, of a swing of amplitude 1.
+    pub shape: Box<dyn Fn([f64; 3]) -> [f64; 3] + Sync>,
+    /// rad/s.
+    pub frequency: f64,
+    /// Amplitude at the start, m/s.
+    pub speed: f64,
+}
+
+/// A turning body.
+pub struct Turn {
+    /// rad/s.
+    pub spin: f64,
+}
+
+fn needs(what: &str) -> Error {
+    Error::new(format!("the scene does not make this problem: it needs {what}"))
+}
+
+/// The solution that `compare` names, with the scene's parameters.
+pub fn of(scene: &Scene, compare: &Compare) -> Result<Reference> {
+    let within = compare.within;
+    match compare.with {
+        Solution::Riemann => riemann(scene, within).map(Reference::Profile),
+        Solution::Blast => blast(scene, within).map(Reference::Profile),
+        Solution::Implosion => implosion(scene, within).map(Reference::Profile),
+        Solution::Piston => piston(scene, within).map(Reference::Profile),
+        Solution::Impact => impact(scene, within, false).map(Reference::Profile),
+        Solution::Release => impact(scene, within, true).map(Reference::Profile),
+        Solution::StandingWave => standing_wave(scene).map(Reference::Swing),
+        Solution::Vibration => vibration(scene).map(Reference::Swing),
+        Solution::Rotation => {
+            let spin = |body: &Body| body.spin.iter().map(|w| w * w).sum::<f64>().sqrt();
+            let spin = scene.bodies.iter().map(spin).fold(0.0, f64::max);
+            if spin > 0.0 { Ok(Reference::Turn(Turn { spin })) } else { Err(needs("a body with a spin")) }
+        }
+    }
+}
+
+fn material<'a>(scene: &'a Scene, body: &Body) -> &'a MaterialTable {
+    &scene.materials[body.material]
+}
+
+fn gas(scene: &Scene, body: &Body) -> Result<(Gas, f64)> {
+    let EosTable::IdealGas(table) = &material(scene, body).eos else { return Err(needs("bodies of an ideal gas")) };
+    let gamma = table.gamma.0;
+    let pressure = (gamma - 1.0) * body.density * body.internal_energy;
+    Ok((Gas { density: body.density, velocity: body.velocity[0], pressure }, gamma))
+}
+
+/// Lower and upper end of a box along x, m.
+fn ends(body: &Body) -> Result<[f64; 2]> {
+    match body.shape {
+        Shape::Box { size } => Ok([body.centre[0] - 0.5 * size[0], body.centre[0] + 0.5 * size[0]]),
+        _ => Err(needs("bodies with shape box")),
+    }
+}
+
+/// Two boxes that share a face across x, the lower one first, and the coordinate of the face.
+fn touching(scene: &Scene) -> Result<(usize, usize, f64)> {
+    let [first, second] = &scene.bodies[..] else { return Err(needs("two bodies")) };
+    let (a, b) = (ends(first)?, ends(second)?);
+    let near = |x: f64, y: f64| (x - y).abs() <= 1e-9 * (a[1] - a[0]);
+    match (near(a[1], b[0]), near(b[1], a[0])) {
+        (true, _) => Ok((0, 1, a[1])),
+        (_, true) => Ok((1, 0, b[1])),
+        _ => Err(needs("two bodies that touch across x")),
+    }
+}
+
+const ALONG_X: Place = Place::Axis { along: 0, moves: 0 };
+
+fn riemann(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
+    let (left, right, face) = touching(scene)?;
+    let ((left, gamma), (right, other)) = (gas(scene, &scene.bodies[left])?, gas(scene, &scene.bodies[right])?);
+    if gamma != other {
+        return Err(needs("one ratio of heats"));
+    }
+    let solution = Riemann::new(left, right, gamma)?;
+    Ok(Profile { place: ALONG_X, within, at: Box::new(move |x, t| solution.at(x - face, t)), origin: face })
+}
+
+fn blast(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
+    let body = scene.bodies.iter().find(|body| body.blast.is_some()).ok_or_else(|| needs("a body with a blast"))?;
+    let (_, gamma) = gas(scene, body)?;
+    let solution = Sedov::new(scene.dimension, gamma, body.blast.map_or(0.0, |blast| blast.energy), body.density)?;
+    let at = Box::new(move |r: f64, t: f64| solution.at(r, t));
+    Ok(Profile { place: Place::Radius(body.centre), within, at, origin: 0.0 })
+}
+
+fn implosion(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
+    let inward = |body: &&Body| matches!(body.flow, Some(Flow::Radial(speed)) if speed < 0.0);
+    let body = scene.bodies.iter().find(inward).ok_or_else(|| needs("a body with flow = { radial = \"-1 m/s\" }"))?;
+    let Some(Flow::Radial(speed)) = body.flow else { return Err(needs("a radial flow")) };
+    let (_, gamma) = gas(scene, body)?;
+    let solution = Noh::new(scene.dimension, gamma, body.density, -speed)?;
+    let at = Box::new(move |r: f64, t: f64| solution.at(r, t));
+    Ok(Profile { place: Place::Radius(body.centre), within, at, origin: 0.0 })
+}
+
+/// The face of what moves is where its layer ends; the solid lies beyond, where the piston goes.
+fn piston(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
+    let moving = |motion: &Motion| match motion {
+        Motion::Prescribed(v) if v[0] != 0.0 => Some(v[0]),
+        _ => None,
+    };
+    let layer = scene.layers.iter().find_map(|layer| Some((moving(&layer.motion)?, [layer.low[0], layer.high[0]])));
+    let body = scene.bodies.iter().find_map(|body| Some((moving(&body.motion)?, ends(body))));
+    let (speed, faces) = match (layer, body) {
+        (Some(layer), _) => layer,
+        (None, Some((speed, faces))) => (speed, faces?),
+        _ => return Err(needs("a layer or a body with a prescribed velocity along x")),
+    };
+    let driven = scene.bodies.iter().find(|body| moving(&body.motion).is_none());
+    let driven = driven.ok_or_else(|| needs("a body that is driven"))?;
+    let solid = Solid::of(material(scene, driven)).ok_or_else(|| needs("a solid"))?;
+    let face = if speed > 0.0 { faces[1] } else { faces[0] };
+    let solution = Piston::new(&solid, speed.abs())?;
+    let side = speed.signum();
+    let at = Box::new(move |x: f64, t: f64| {
+        let x = side * (x - face);
+        let state = solution.at(x, t);
+        // What is behind the face is the piston.
+        if x < speed.abs() * t { NOTHING } else { State { velocity: side * state.velocity, ..state } }
+    });
+    Ok(Profile { place: ALONG_X, within, at, origin: face })
+}
+
+const NOTHING: State = State { density: f64::NAN, velocity: f64::NAN, stress: f64::NAN, internal_energy: f64::NAN };
+
+/// The lower body is the projectile. Strength is no part of the solution: the scene must do without.
+fn impact(scene: &Scene, within: [f64; 2], released: bool) -> Result<Profile> {
+    let (lower, upper, face) = touching(scene)?;
+    let (projectile, target) = (&scene.bodies[lower], &scene.bodies[upper]);
+    if scene.materials.iter().any(|material| material.has_strength()) {
+        return Err(needs("materials without strength"));
+    }
+    let medium = |body: &Body| Medium {
+        law: material(scene, body).eos.law(),
+        density: body.density,
+        internal_energy: body.internal_energy,
+    };
+    let rest = target.velocity[0];
+    let speed = projectile.velocity[0] - rest;
+    if speed <= 0.0 {
+        return Err(needs("the lower body to run into the upper one"));
+    }
+    let solution = Impact::new(&medium(projectile), &medium(target), speed)?;
+    let at: Box<dyn Fn(f64, f64) -> State + Sync> = if released {
+        let shocked = solution.target_shock;
+        let release = medium(target).release(&shocked.behind)?;
+        let size = ends(target)?;
+        let thickness = size[1] - size[0];
+        let arrival = thickness / shocked.speed;
+        let sound = medium(target).law.pressure(release.density, release.internal_energy).1;
+        Box::new(move |x, t| {
+            // The rarefaction's tail runs back through released matter with its speed of sound.
+            let after = t - arrival;
+            let x = x - face - rest * t;
+            let tail = thickness + (release.velocity - sound) * after;
+            if after <= 0.0 || x < tail {
+                return NOTHING;
+            }
+            let (density, velocity) = (release.density, release.velocity + rest);
+            State { density, velocity, stress: 0.0, internal_energy: release.internal_energy }
+        })
+    } else {
+        Box::new(move |x, t| {
+            let state = solution.at(x - face - rest * t, t);
+            State { velocity: state.velocity + rest, ..state }
+        })
+    };
+    Ok(Profile { place: ALONG_X, within, at, origin: face })
+}
+
+/// Elastic constants of a body's material; a fluid has no shear modulus.
+pub fn elastic(scene: &Scene, body: &Body) -> Result<Elastic> {
+    let material = material(scene, body);
+    let bulk = material.eos.law().bulk_modulus().ok_or_else(|| needs("a solid"))?;
+    let shear = material.strength.as_ref().map_or(0.0, |table| table.shear_modulus.0);
+    Elastic::new(bulk, shear, body.density)
+}
+
+fn standing_wave(scene: &Scene) -> Result<Swing> {
+    let found = scene.bodies.iter().position(|body| matches!(body.flow, Some(Flow::Wave { .. })));
+    let number = found.ok_or_else(|| needs("a body with flow.wave"))?;
+    let body = &scene.bodies[number];
+    let Some(Flow::Wave { along, moves, wavelength, speed }) = body.flow else { return Err(needs("a wave")) };
+    let constants = elastic(scene, body)?;
+    let sound = if along == moves { constants.longitudinal_speed() } else { constants.shear_speed() };
+    let centre = body.centre;
+    let flow = Flow::Wave { along, moves, wavelength, speed: 1.0 };
+    let shape =
+        Box::new(move |x: [f64; 3]| flow.velocity(std::array::from_fn(|k| x[k] - centre[k])).unwrap_or_default());
+    Ok(Swing { body: number, shape, frequency: 2.0 * std::f64::consts::PI * sound / wavelength, speed })
+}
+
+fn vibration(scene: &Scene) -> Result<Swing> {
+    let found = scene.bodies.iter().position(|body| matches!(body.flow, Some(Flow::Mode { .. })));
+    let number = found.ok_or_else(|| needs("a body with flow.mode"))?;
+    let body = &scene.bodies[number];
+    let Some(Flow::Mode { shape, speed }) = body.flow else { return Err(needs("a mode")) };
+    let mode = ModeShape::new(scene, body, shape)?;
+    let (centre, frequency) = (body.centre, mode.frequency);
+    let shape = Box::new(move |x: [f64; 3]| mode.velocity(std::array::from_fn(|k| x[k] - centre[k])));
+    Ok(Swing { body: number, shape, frequency, speed })
+}

@@ -1,0 +1,75 @@
+//! Shapes of free vibration of the bodies of a scene, as velocities in space.
+
+use crate::error::{Error, Result};
+use crate::exact::vibration::{self, Mode as Exact};
+use crate::motion::Motion;
+use crate::scene::{Body, Mode, Scene, Shape as BodyShape};
+use crate::simulation::compare::solution::elastic;
+
+/// A mode of one body.
+#[derive(Debug, Clone, Copy)]
+pub struct Shape {
+    kind: Mode,
+    mode: Exact,
+    dimension: usize,
+    /// Where a bar is held, relative to the centre, m.
+    clamp: f64,
+    /// Velocity of an amplitude of 1 where it is largest, so that amplitudes are largest speeds.
+    scale: f64,
+    /// rad/s.
+    pub frequency: f64,
+}
+
+impl Shape {
+    /// The lowest mode of this kind. A bar is held where its layer without motion ends.
+    pub fn new(scene: &Scene, body: &Body, kind: Mode) -> Result<Self> {
+        let solid = elastic(scene, body)?;
+        let mut clamp = 0.0;
+        let mode = match (kind, body.shape, scene.dimension) {
+            (Mode::Radial, BodyShape::Sphere { radius }, 3) => vibration::sphere_radial(&solid, radius, 1)?,
+            (Mode::Radial, BodyShape::Sphere { radius }, _) => vibration::disc_radial(&solid, radius, 1)?,
+            (Mode::Torsional, BodyShape::Sphere { radius }, 3) => vibration::sphere_torsional(&solid, radius, 1)?,
+            (Mode::Torsional, BodyShape::Sphere { radius }, _) => vibration::disc_torsional(&solid, radius, 1)?,
+            (Mode::Bending, BodyShape::Box { size }, 2) => {
+                let fixed = scene.layers.iter().filter(|layer| layer.motion == Motion::Prescribed([0.0; 3]));
+                let held = fixed.map(|layer| layer.high[0] - body.centre[0]);
+                clamp = held.fold(-0.5 * size[0], f64::max);
+                vibration::clamped_plate(&solid, 0.5 * size[0] - clamp, size[1], 1)?
+            }
+            _ => {
+                return Err(Error::new(format!("body `{}` has no such mode of vibration", body.name))
+                    .allowed("radial or torsional for a sphere, bending for a box in 2 dimensions"));
+            }
+        };
+        let largest = match body.shape {
+            BodyShape::Sphere { radius } => {
+                (0..=1000).map(|k| mode.at(1e-3 * k as f64 * radius).abs()).fold(0.0, f64::max)
+            }
+            _ => 1.0,
+        };
+        let scale = 1.0 / largest;
+        Ok(Self { kind, mode, dimension: scene.dimension, clamp, scale, frequency: mode.angular_frequency })
+    }
+
+    /// Velocity at `r`, m, from the body's centre, for an amplitude of 1.
+    pub fn velocity(&self, r: [f64; 3]) -> [f64; 3] {
+        let length = (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt();
+        if length == 0.0 {
+            return [0.0; 3];
+        }
+        let at = self.scale * self.mode.at(length) / length;
+        match (self.kind, self.dimension) {
+            (Mode::Radial, _) => r.map(|x| at * x),
+            (Mode::Torsional, 2) => [-at * r[1], at * r[0], 0.0],
+            // Degree 2: about z, proportional to sin(2 theta), which is 1 at 45 degrees.
+            (Mode::Torsional, _) => {
+                let turn = 2.0 * at * r[2] / length;
+                [-turn * r[1], turn * r[0], 0.0]
+            }
+            (Mode::Bending, _) => {
+                let s = r[0] - self.clamp;
+                [0.0, if s > 0.0 { self.scale * self.mode.at(s) } else { 0.0 }, 0.0]
+            }
+        }
+    }
+}
