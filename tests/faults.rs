@@ -154,12 +154,9 @@ fn flip_a_bit(path: &Path) {
 
 #[test]
 fn damaged_newest_checkpoint_gives_way_to_the_previous_one() {
-    let cases: [(&str, fn(&Path)); 3] = [
-        ("the newest checkpoint was not taken", truncate),
-        ("does not match its checksum", flip_a_bit),
-        ("", |path| fs::remove_file(path).expect("a checkpoint")),
-    ];
-    for (says, damage) in cases {
+    let remove = |path: &Path| fs::remove_file(path).expect("a checkpoint");
+    let says = ["the newest checkpoint was not taken", "does not match its checksum", ""];
+    for (says, damage) in says.into_iter().zip([truncate, flip_a_bit, remove]) {
         let legs = damaged(|newest, _| damage(newest));
         legs.finish();
         let log = fs::read_to_string(legs.file("log.txt")).expect("a log");
