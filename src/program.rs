@@ -101,6 +101,7 @@ fn prepare(args: &Args, options: &Options, comm: &Comm) -> Result<()> {
             "{threads} threads on {cores} usable cores: the launcher may have pinned this rank (--bind-to none)"
         );
     }
+    simulation::resources::give_freed_memory_back();
     agree(comm, workers::start_threads(threads))?;
     signals::listen();
     Ok(())
