@@ -60,6 +60,7 @@ const FAILED: u32 = 3;
 
 /// Runs a scene. Collective.
 pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<RunReport> {
+    comm.set_file_hints(scene.output.mpi_io_hints.iter().map(|(key, value)| (key.as_str(), value.as_str())));
     match scene.dimension {
         2 => Run::<2>::open(scene, options, comm)?.run_to_end(),
         _ => Run::<3>::open(scene, options, comm)?.run_to_end(),
@@ -461,7 +462,7 @@ impl<'a, const D: usize> Run<'a, D> {
 
 /// Identifies what was asked for: the scene as understood, without what may change between restarts.
 fn scene_hash(scene: &Scene) -> String {
-    blake3::hash(scene.to_toml().as_bytes()).to_hex().to_string()
+    blake3::hash(scene.identity().as_bytes()).to_hex().to_string()
 }
 
 /// Where a scene's file lies decides the default directory.
