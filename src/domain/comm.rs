@@ -18,10 +18,14 @@ const PIECE: usize = 1 << 30;
 const FIRST_EXCHANGE_TAG: i32 = 1000;
 const EXCHANGE_TAGS: i32 = 10_000;
 
+/// Round trips that measure the network.
+const TRIP_TAG: i32 = 99;
+const LONG_MESSAGE: usize = 1 << 20;
+
 /// Characters of a hint's key or value, with a NUL, in any MPI.
 const LONGEST_HINT: usize = 1025;
 
-/// All ranks of the job. The first one made initialises MPI, and the last one dropped ends it.
+/// All ranks of the job, or one of them alone.
 pub struct Comm {
     universe: Option<mpi::environment::Universe>,
     raw: ffi::MPI_Comm,
@@ -59,8 +63,18 @@ impl Comm {
                 unsafe { ffi::MPI_Abort(ffi::RSMPI_COMM_WORLD, 101) };
             }));
         }
+        Self::over(raw, (rank, size), Some(universe))
+    }
+
+    /// This rank by itself, for work that others take no part in.
+    pub fn alone(&self) -> Self {
+        // SAFETY: a constant of the MPI library.
+        Self::over(unsafe { ffi::RSMPI_COMM_SELF }, (0, 1), None)
+    }
+
+    fn over(raw: ffi::MPI_Comm, (rank, size): (usize, usize), universe: Option<mpi::environment::Universe>) -> Self {
         Self {
-            universe: Some(universe),
+            universe,
             raw,
             rank,
             size,
@@ -225,6 +239,49 @@ impl Comm {
                 self.raw,
             )
         });
+    }
+
+    /// Seconds for a short message, and bytes per second of long ones, between the first rank and the last, which where
+    /// there are several machines stand on different ones: the best of many round trips. None on one rank. Collective.
+    pub fn network(&self) -> Option<(f64, f64)> {
+        if self.size == 1 {
+            return None;
+        }
+        let mut message = vec![0u8; LONG_MESSAGE];
+        let mut trip = |bytes: usize, times: usize| {
+            let trips = (0..times).map(|_| self.round_trip(&mut message[..bytes]));
+            [0.5 * trips.fold(f64::INFINITY, f64::min)]
+        };
+        let (mut short, mut long) = (trip(8, 500), trip(LONG_MESSAGE, 20));
+        self.all_min(&mut short);
+        self.all_min(&mut long);
+        Some((short[0], LONG_MESSAGE as f64 / (long[0] - short[0]).max(1e-9)))
+    }
+
+    /// Seconds of a message from the first rank to the last and back; infinite on others.
+    fn round_trip(&self, message: &mut [u8]) -> f64 {
+        let (last, bytes) = (self.size as i32 - 1, message.len() as i32);
+        // SAFETY: a constant of the MPI library.
+        let kind = unsafe { ffi::RSMPI_UINT8_T };
+        let start = Instant::now();
+        let buffer = message.as_mut_ptr().cast();
+        // SAFETY: the buffer holds as many bytes as are named.
+        let send = |to: i32| unsafe { ffi::MPI_Send(buffer, bytes, kind, to, TRIP_TAG, self.raw) };
+        // SAFETY: the same; the status is filled by MPI.
+        let receive = |from: i32| unsafe {
+            ffi::MPI_Recv(buffer, bytes, kind, from, TRIP_TAG, self.raw, &mut std::mem::zeroed());
+        };
+        if self.rank == 0 {
+            send(last);
+            receive(last);
+            start.elapsed().as_secs_f64()
+        } else {
+            if self.rank == last as usize {
+                receive(0);
+                send(0);
+            }
+            f64::INFINITY
+        }
     }
 
     /// The values of all ranks, in rank order; every rank gives equally many.

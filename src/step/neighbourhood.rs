@@ -164,7 +164,7 @@ impl<const D: usize> Neighbourhood<D> {
     }
 
     /// Entries and rows of the list.
-    fn list_size(&self) -> (f64, f64) {
+    pub fn list_size(&self) -> (f64, f64) {
         (*self.list.offsets.last().unwrap_or(&0) as f64, (self.list.offsets.len() - 1) as f64)
     }
 
