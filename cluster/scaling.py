@@ -127,7 +127,7 @@ def curves(strong, weak):
 
 
 def main(out):
-    runs = [Run(path.parent) for path in out.glob("*_*/summary.json")]
+    runs = [Run(path.parent) for path in sorted(out.glob("*_*/summary.json"))]
     runs.sort(key=lambda run: (run.name, run.ranks, run.threads))
     kinds = {name: [run for run in runs if run.name == name] for name in dict.fromkeys(run.name for run in runs)}
     strong, weak = kinds.get("strong", []), kinds.get("weak", [])

@@ -2,7 +2,7 @@
 # How a scene scales: sbatch [OPTION...] cluster/scaling.sh OUT SCENE [OPTION...], from the folder that holds cluster/. In one
 # job, one run after the other: STRONG particles on more and more ranks, WEAK particles on each of them, and STRONG particles in
 # other LAYOUTS of ranks x threads on one node. For each run --check predicts first what it will cost.
-# `cluster/scaling.py OUT` makes tables and curves of it.
+# What OUT holds already is not run again. `cluster/scaling.py OUT` makes tables and curves of it.
 #SBATCH --job-name=sph-mpi-scaling
 #SBATCH --nodes=1
 #SBATCH --exclusive
@@ -16,7 +16,7 @@ set -u
 source cluster/launch
 STRONG=${STRONG:-100000}
 WEAK=${WEAK:-50000}
-STEPS=${STEPS:-60}
+STEPS=${STEPS:-100}
 PARTICLES=${PARTICLES:-target.particles}     # the key that says how many
 LAYOUTS=${LAYOUTS-}                          # for example "1x1 2x1 1x2"
 if [ -z "${COUNTS+given}" ]; then
@@ -30,6 +30,7 @@ set -- "$@" --set run.steps="$STEPS" --set output.snapshots=0 --set output.pictu
 # one NAME RANKS THREADS PARTICLES SCENE [OPTION...]
 one() {
     local run=$out/$1
+    [ ! -e "$run/summary.json" ] || return 0
     mkdir -p "$run"
     echo "$1: $2 ranks x $3 threads, $4 particles" >&2
     RANKS=$2 THREADS=1 run_once "${@:5}" --set "$PARTICLES=$4" --check >"$run.check" || return
