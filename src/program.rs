@@ -47,7 +47,9 @@ fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
     };
     if args.check {
         let ranks = args.ranks.unwrap_or(comm.size() as u32) as usize;
-        return match agree(comm, workers::start_threads(1)).and_then(|()| cost::check(&scene, ranks, comm)) {
+        let network = args.latency.zip(args.bandwidth);
+        let started = agree(comm, workers::start_threads(1));
+        return match started.and_then(|()| cost::check(&scene, ranks, network, comm)) {
             Ok(text) => {
                 if comm.is_root() {
                     print!("{text}");
@@ -104,6 +106,7 @@ fn prepare(args: &Args, options: &Options, comm: &Comm) -> Result<()> {
             "{threads} threads on {cores} usable cores: the launcher may have pinned this rank (--bind-to none)"
         );
     }
+    simulation::resources::give_freed_memory_back();
     agree(comm, workers::start_threads(threads))?;
     signals::listen();
     Ok(())

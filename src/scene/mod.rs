@@ -84,6 +84,15 @@ impl Scene {
         self.understood.clone()
     }
 
+    /// The scene as understood, without what a restart may change: hints for files.
+    pub fn identity(&self) -> String {
+        let mut table: toml::Table = self.understood.parse().unwrap_or_default();
+        if let Some(output) = table.get_mut("output").and_then(toml::Value::as_table_mut) {
+            output.remove("mpi_io_hints");
+        }
+        table.to_string()
+    }
+
     /// The file the scene was read from.
     pub fn path(&self) -> &str {
         &self.source.path

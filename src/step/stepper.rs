@@ -82,6 +82,8 @@ pub struct Stepper<'c, const D: usize> {
     all: Vec<u32>,
     pointers: Vec<(*mut u64, usize)>,
     bad: Option<Bad>,
+    /// Whether lists and records were given back.
+    resting: bool,
 }
 
 impl<'c, const D: usize> Stepper<'c, D> {
@@ -105,6 +107,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
             boundary: Vec::new(),
             all: Vec::new(),
             pointers: Vec::new(),
+            resting: false,
             bad: None,
         }
     }
@@ -129,6 +132,9 @@ impl<'c, const D: usize> Stepper<'c, D> {
     /// particles are left amid the step on every rank, and only a checkpoint leads on.
     pub fn step(&mut self, dt: f64, signal: u32) -> Result<Agreed, Failure> {
         self.counters.steps += 1;
+        if self.resting {
+            self.rebuild(false);
+        }
         let start = Instant::now();
         self.material_pass(|physics, chunk, workspace| physics.predict(chunk, dt, workspace));
         self.phases.add(Phase::Predict, start);
@@ -140,6 +146,14 @@ impl<'c, const D: usize> Stepper<'c, D> {
         }
         self.evaluate(dt);
         self.agree(signal)
+    }
+
+    /// Gives the memory of lists and records back, for work that needs its own. The next step makes them anew from the
+    /// positions of the last build: nothing changes.
+    pub fn rest(&mut self) {
+        self.neighbourhood.forget_list();
+        self.records = Vec::new();
+        self.resting = true;
     }
 
     /// Conserved quantities; collective.
@@ -317,6 +331,9 @@ impl<'c, const D: usize> Stepper<'c, D> {
 
     /// New lists; `fresh` from the present positions, otherwise from those of the last build.
     fn rebuild(&mut self, fresh: bool) {
+        self.resting = false;
+        // Not read before the next step packs them, and the search has arrays of its own.
+        self.records = Vec::new();
         let start = Instant::now();
         if fresh {
             self.neighbourhood.start_afresh(&mut self.columns);
@@ -324,6 +341,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
             self.counters.list_builds += 1;
             self.counters.rebisections += rebisected as u64;
         }
+        self.neighbourhood.forget_list();
         self.neighbourhood.distribute(&mut self.columns, &self.settings, self.comm);
         self.counters.migrated += self.neighbourhood.migrated() as u64;
         self.phases.add(Phase::Migration, start);
