@@ -6,7 +6,7 @@ use crate::campaigns::{cost, search};
 use crate::cli::Args;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
-use crate::output::agree;
+use crate::output::{agree, collective};
 use crate::scene::{self, Scene};
 use crate::simulation::{self, Ended, Options, log, resources, run::default_directory, signals};
 use crate::step::workers;
@@ -32,6 +32,9 @@ pub fn main() -> i32 {
             error.exit_code()
         }
     };
+    if collective::is_stuck(&comm) {
+        comm.abort(code);
+    }
     comm.finish();
     code
 }

@@ -7,6 +7,7 @@
 use std::cell::Cell;
 use std::ops::Range;
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use hdf5::types::{FixedAscii, VarLenUnicode};
 use hdf5::{Dataset, Datatype, H5Type, Location};
@@ -24,6 +25,17 @@ use crate::error::{Error, Result};
 
 /// Bytes a rank moves in one transfer at most: MPI counts are 32-bit.
 const PIECE: usize = 1 << 30;
+/// Whether HDF5 could not let go of a file that it failed to write.
+static STUCK: AtomicBool = AtomicBool::new(false);
+
+/// Whether some rank holds a file that HDF5 cannot close. HDF5 would try once more while MPI ends, and crash: such a job ends
+/// by [`Comm::abort`]. Collective.
+pub fn is_stuck(comm: &Comm) -> bool {
+    let mut stuck = [STUCK.load(Ordering::Relaxed) as i64];
+    comm.all_sum(&mut stuck);
+    stuck[0] > 0
+}
+
 /// Rows per chunk of a compressed dataset.
 const CHUNK_ROWS: usize = 1 << 14;
 
@@ -244,9 +256,11 @@ impl<'a> CollectiveFile<'a> {
 
     /// Brings everything to the file system and closes the file.
     pub fn close(self) -> Result<()> {
-        self.agree("flush", "/", self.file.flush())?;
+        let flushed = self.agree("flush", "/", self.file.flush());
         let (comm, place) = (self.comm, self.place);
-        agree(comm, self.file.close().map_err(|e| failure("close", &place, e)))
+        let closed = self.file.close().map_err(|e| failure("close", &place, e));
+        STUCK.fetch_or(closed.is_err(), Ordering::Relaxed);
+        flushed.and(agree(comm, closed))
     }
 
     fn agree<T>(&self, verb: &str, object: &str, result: hdf5::Result<T>) -> Result<T> {

@@ -68,6 +68,11 @@ impl Lattice {
     /// The lattice over a box with the given middle and half extents (body frame, m; the last is 0 in 2D). Along axes with
     /// flat faces rows are moved apart or together by little, so that a whole number of them fills the box.
     pub fn covering(kind: LatticeKind, spacing: f64, rotation: Rotation, bounds: Bounds, faces: Faces) -> Result<Self> {
+        if !(spacing > 0.0 && spacing.is_finite()) {
+            return Err(
+                Error::new(format!("the spacing comes to {spacing} m")).allowed("sizes within reach of numbers")
+            );
+        }
         let dimension = bounds.dimension;
         let mut counts = [1; 3];
         let mut steps = kind.steps().map(|step| step * spacing);
