@@ -6,6 +6,7 @@ use crate::campaigns::{cost, search};
 use crate::cli::Args;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
+use crate::output::agree;
 use crate::scene::{self, Scene};
 use crate::simulation::{self, Ended, Options, log, resources, run::default_directory, signals};
 use crate::step::workers;
@@ -43,7 +44,7 @@ fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
     };
     if args.check {
         let ranks = args.ranks.unwrap_or(comm.size() as u32) as usize;
-        return match workers::start_threads(1).and_then(|()| cost::check(&scene, ranks, comm)) {
+        return match agree(comm, workers::start_threads(1)).and_then(|()| cost::check(&scene, ranks, comm)) {
             Ok(text) => {
                 if comm.is_root() {
                     print!("{text}");
@@ -68,7 +69,7 @@ fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
     match ended {
         Ok(Ended::Finished) => 0,
         Ok(Ended::Interrupted) => INTERRUPTED,
-        Err(error) => complain(&error, FAILED, comm),
+        Err(error) => complain(&error, if error.bad_input { BAD_INPUT } else { FAILED }, comm),
     }
 }
 
@@ -100,7 +101,8 @@ fn prepare(args: &Args, options: &Options, comm: &Comm) -> Result<()> {
             "{threads} threads on {cores} usable cores: the launcher may have pinned this rank (--bind-to none)"
         );
     }
-    workers::start_threads(threads)?;
+    simulation::resources::give_freed_memory_back();
+    agree(comm, workers::start_threads(threads))?;
     signals::listen();
     Ok(())
 }

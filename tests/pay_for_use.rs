@@ -167,12 +167,9 @@ fn parse(text: &str) -> (Scene, Plan) {
 
 fn run(scene: &str, ranks: usize, settings: &[&str]) -> (tempfile::TempDir, serde_json::Value) {
     let dir = tempfile::tempdir().expect("a temporary directory");
-    let path = write_scene(dir.path(), scene);
-    let out = dir.path().join("run");
-    let mut args = vec![path.as_os_str(), "--out".as_ref(), out.as_os_str()];
-    args.extend(settings.iter().flat_map(|setting| ["--set".as_ref(), std::ffi::OsStr::new(*setting)]));
-    Launch::scene(ranks, &args).run().expect_code(0);
-    let found = summary(&out);
+    let settings: Vec<&str> = settings.iter().flat_map(|setting| ["--set", setting]).collect();
+    Launch::in_directory(ranks, dir.path(), scene, &settings).run().expect_code(0);
+    let found = summary(&dir.path().join("run"));
     (dir, found)
 }
 

@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 
 use serde_json::Value;
 
-use crate::common::{IMPACT, Launch, summary, write_scene};
+use crate::common::{IMPACT, Launch, summary};
 
 /// Where the runs of one comparison lie; emptied first.
 fn directory(name: &str) -> PathBuf {
@@ -34,12 +34,8 @@ impl Way {
     }
 
     fn launch(self, dir: &Path, more: &[&str]) -> Launch {
-        let scene = write_scene(dir, self.scene);
-        let (out, threads) = (dir.join("run"), self.threads.to_string());
-        let path = |p: &Path| p.to_str().expect("a plain path").to_owned();
-        let mut args = vec![path(&scene), "--out".into(), path(&out), "--threads".into(), threads];
-        args.extend(more.iter().map(|s| s.to_string()));
-        let launch = Launch::scene(self.ranks, &args);
+        let threads = self.threads.to_string();
+        let launch = Launch::in_directory(self.ranks, dir, self.scene, &[&["--threads", &threads], more].concat());
         match self.simd {
             Some(width) => launch.env("SPH_MPI_SIMD", width),
             None => launch,

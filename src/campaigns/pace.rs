@@ -9,7 +9,7 @@ use crate::particles::{Columns, ParticleId};
 use crate::random::uniform;
 use crate::scene::Scene;
 use crate::simulation::{report, resources, setup};
-use crate::step::Stepper;
+use crate::step::{Failure, Stepper};
 
 /// Particles along each edge of the block, in two and in three dimensions: about 20,000.
 const EDGE: [usize; 2] = [141, 27];
@@ -43,9 +43,10 @@ fn measure_in<const D: usize>(scene: &Scene, constants: &[BodyConstants], comm: 
     let spent = || resources::cpu_seconds() - comm.wait_cpu_seconds();
     let start = spent();
     let mut stepper = Stepper::<D>::new(comm, columns, plan.settings(scene));
-    let mut dt = stepper.start()?.dt;
+    let told = |failure: Failure| failure.error(|body| &scene.bodies[body].name);
+    let mut dt = stepper.start().map_err(told)?.dt;
     for _ in 0..STEPS {
-        dt = stepper.step(dt, 0)?.dt;
+        dt = stepper.step(dt, 0).map_err(told)?.dt;
     }
     let mut sums = [(1e6 * (spent() - start)) as i64, stepper.counters.updates as i64];
     comm.all_sum(&mut sums);

@@ -17,6 +17,7 @@ use hdf5_sys::h5p::{H5FD_mpio_xfer_t, H5P_CLS_DATASET_XFER, H5Pclose, H5Pcreate,
 use hdf5_sys::h5s::{H5S_seloper_t, H5Sclose, H5Screate_simple, H5Sselect_hyperslab, H5Sselect_none};
 
 use super::agree;
+use super::moment::{self, Moment};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 
@@ -116,6 +117,7 @@ impl<'a> CollectiveFile<'a> {
         let (start, total) = self.places(values.len() / width);
         let dataset = self.agree("create the dataset", path, self.create_dataset::<T>(path, total, width, gzip))?;
         let rows = start..start + values.len() / width;
+        moment::reach(Moment::Writing);
         self.transfer("write", &dataset, width, rows, |piece, spaces, transfer| {
             let at = values[piece.start * width..].as_ptr();
             // SAFETY: the memory space describes the piece's numbers, which lie in `values` from its start on.

@@ -207,7 +207,10 @@ fn bodies(
     let read = |number: usize, body: &mut raw::RawBody, target_spacing: Option<f64>| {
         let placed = impact.is_some_and(|i| i.projectile == number);
         let path = format!("body.{number}");
-        let material = names.iter().position(|n| *n == body.material).expect("every material of a body is completed");
+        // A date is text to one reader of TOML and not to the other.
+        let material = names.iter().position(|n| *n == body.material);
+        let what = || document.error(&format!("{path}.material"), format!("{} names no material", body.material));
+        let material = material.ok_or_else(what)?;
         body::Reader { document, path, dimension, periods, target_spacing, placed }
             .read(body, (material, &materials[material]))
     };

@@ -93,7 +93,8 @@ impl Footprint {
                     self.particles,
                     gigabytes(available as f64)
                 );
-                Err(Error::new(what).allowed("fewer particles, or more machines; --check shows what takes the memory"))
+                let allowed = "fewer particles, or more machines; --check shows what takes the memory";
+                Err(Error::new(what).allowed(allowed).bad_input())
             }
         }
     }

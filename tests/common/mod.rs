@@ -62,6 +62,14 @@ impl Launch {
         Self::new(ranks, PROGRAM, args)
     }
 
+    /// sph-mpi with `more` arguments on `scene`, which is written into `dir`; the run goes into `dir/run`.
+    pub fn in_directory(ranks: usize, dir: &Path, scene: &str, more: &[&str]) -> Self {
+        let (scene, out) = (write_scene(dir, scene), dir.join("run"));
+        let path = |path: &Path| path.to_str().expect("a plain path").to_owned();
+        let args = [path(&scene), "--out".into(), path(&out)];
+        Self::scene(ranks, &args.into_iter().chain(more.iter().map(|arg| arg.to_string())).collect::<Vec<_>>())
+    }
+
     pub fn env(mut self, key: &str, value: impl AsRef<std::ffi::OsStr>) -> Self {
         self.command.env(key, value);
         self
