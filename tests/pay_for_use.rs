@@ -43,11 +43,12 @@ picture = false
 "#;
 
 /// What every scene has, name and words per particle.
-const CORE: [(&str, usize); 11] = [
+const CORE: [(&str, usize); 12] = [
     ("id", 1),
     ("position", 3),
     ("velocity", 3),
     ("acceleration", 3),
+    ("jerk", 3),
     ("build_position", 3),
     ("density", 1),
     ("density_rate", 1),
