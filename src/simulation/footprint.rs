@@ -127,7 +127,7 @@ fn neighbours(particles: u64, reach: f64, dimension: usize) -> f64 {
     let radius = (particles as f64 / ball(1.0, dimension)).powf(1.0 / dimension as f64);
     let missing = if dimension == 2 { 4.0 / (3.0 * std::f64::consts::PI) } else { 9.0 / 16.0 };
     let around = ball(reach, dimension) * (1.0 - missing * reach / radius);
-    around.clamp(0.0, particles as f64) - 1.0
+    around.clamp(1.0, particles as f64) - 1.0
 }
 
 /// Into how many parts each side of a cube is cut for so many ranks: across the longest side, over and over.
@@ -199,7 +199,8 @@ mod tests {
             // The lattice itself has 80 neighbours within the reach where an even medium has 76, and 20 where it has 21.
             let expected = neighbours(sites.len() as u64, reach, dimension);
             assert!((expected / mean - 1.0).abs() < 0.07, "{expected} {mean}");
-            assert!(mean < 0.96 * (near.len() as f64 - 1.0));
+            // 16 % are missing in the ball, and 4 % in the disc.
+            assert!(mean < 0.97 * (near.len() as f64 - 1.0));
         }
         assert_eq!(neighbours(1, 2.64, 3), 0.0);
     }
