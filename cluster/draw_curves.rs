@@ -11,7 +11,9 @@ fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let drawn = match &arguments[..] {
         [figure, title, x, y] => draw(Path::new(figure), title, [x, y]),
-        _ => Err(Error::new("four arguments are wanted").allowed("FIGURE.png TITLE X Y, and a table on standard input")),
+        _ => {
+            Err(Error::new("four arguments are wanted").allowed("FIGURE.png TITLE X Y, and a table on standard input"))
+        }
     };
     if let Err(error) = drawn {
         eprintln!("error: {error}");

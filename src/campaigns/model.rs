@@ -199,9 +199,10 @@ mod tests {
             assert!(efficiency(&steps[0].1, b, *more) < efficiency(&steps[0].1, a, *fewer));
         }
         assert_eq!(efficiency(&steps[0].1, &steps[0].1, 1), 1.0);
-        // As large as they like with a slow network; a hundred particles per rank are all surface.
+        // A million particles per rank keep it busy. With a hundred it has nine ghosts to each of them to put in order, twenty
+        // rounds of reductions, and twice 26 messages: each as long as the work itself, or longer.
         assert!(efficiency(&step(1e8, 1), &step(1e8, 64), 64) > 0.9);
-        assert!(efficiency(&step(1e8, 1), &step(1e8, 1 << 20), 1 << 20) < 0.2);
+        assert!(efficiency(&step(1e8, 1), &step(1e8, 1 << 20), 1 << 20) < 0.25);
     }
 
     #[test]

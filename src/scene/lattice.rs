@@ -279,6 +279,6 @@ mod tests {
     #[test]
     fn too_fine_a_lattice_is_refused() {
         let bounds = Bounds { middle: [0.0; 3], half: [1e5; 3], dimension: 3 };
-        assert!(Lattice::covering(LatticeKind::Cubic, 1.0, IDENTITY, bounds).is_err());
+        assert!(Lattice::covering(LatticeKind::Cubic, 1.0, IDENTITY, bounds, Faces::default()).is_err());
     }
 }
