@@ -7,6 +7,8 @@ mod boundaries;
 mod common;
 mod errors;
 mod faults;
+mod hard_cases;
+mod hard_neighbours;
 mod output;
 mod pair_loop;
 mod pay_for_use;

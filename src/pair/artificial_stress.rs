@@ -30,11 +30,13 @@ pub fn artificial_stress(stress: &Sym, epsilon: f64) -> Sym {
     r
 }
 
-/// 1 / W(spacing), in the units of [`Shape::value`]; the spacing is h / eta.
-pub fn reference(kernel: Kernel, eta: f64) -> f64 {
+/// 1 / W(spacing), in the units of [`Shape::value`]; `h` is given in spacings. The spacing is the distance of nearest
+/// neighbours, at which f = 1: in a close packing it is 8 (in 2D) or 12 % more than the edge of the cube that a particle
+/// fills, and f^4 would be 0.54 or 0.35 there if f were 1 at that edge.
+pub fn reference(kernel: Kernel, h: f64) -> f64 {
     match kernel {
-        Kernel::CubicSpline => 1.0 / CubicSpline::value(1.0 / eta),
-        Kernel::WendlandC2 => 1.0 / WendlandC2::value(1.0 / eta),
+        Kernel::CubicSpline => 1.0 / CubicSpline::value(1.0 / h),
+        Kernel::WendlandC2 => 1.0 / WendlandC2::value(1.0 / h),
     }
 }
 

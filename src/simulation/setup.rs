@@ -148,9 +148,13 @@ impl Plan {
                 eta: numerics.eta,
             },
         );
+        // Of the coarsest lattice, as measured by its smoothing length.
+        let in_spacings =
+            |(body, constants): (&Body, &BodyConstants)| constants.smoothing_length / body.lattice.spacing;
+        let h = scene.bodies.iter().zip(&self.constants).map(in_spacings).fold(f64::INFINITY, f64::min);
         let constants = Constants {
             beta: self.viscosity[0].1,
-            artificial_reference: artificial_stress::reference(numerics.kernel, numerics.eta),
+            artificial_reference: artificial_stress::reference(numerics.kernel, h),
         };
         StepSettings {
             core: self.core,

@@ -11,7 +11,8 @@
 //! constant, E_iv and E_cv energies of incipient and complete vaporisation, J/kg; a, b, alpha, beta pure numbers.
 //!
 //! The published form fails in expansion, where it was never fitted; three guards, each outside the range of the fit:
-//! - B mu^2 is dropped for mu < 0 where B > 2 A (nylon, water): it makes cold matter below eta = 1 - A/B explode.
+//! - For mu < 0, B mu^2 is dropped where B > 2 A (nylon, water), and B counts as A where it lies between: with B > A cold
+//!   matter below eta = 1 - A/B would explode.
 //! - Tension fades linearly between eta = 0.95 and 0.85. The formula pulls harder and harder down to eta = 0.5 (with
 //!   A/4); a solid does not. The strongest pull that is left, 0.056 A at most, is a few times the spall strength of
 //!   metals, and rock breaks at strains of 1e-3, so that solids are limited by their own fracture and never by this.
@@ -111,7 +112,7 @@ impl Tillotson {
             a: table.a.0,
             b: table.b.0,
             modulus_a,
-            modulus_b: [modulus_b, if modulus_b > 2.0 * modulus_a { 0.0 } else { modulus_b }],
+            modulus_b: [modulus_b, if modulus_b > 2.0 * modulus_a { 0.0 } else { modulus_b.min(modulus_a) }],
             e_0: table.e_0.0,
             e_iv: table.e_iv.0,
             e_cv: table.e_cv.0,
