@@ -6,6 +6,7 @@ mod balance;
 mod common;
 mod errors;
 mod faults;
+mod fracture;
 mod output;
 mod pair_loop;
 mod pay_for_use;
