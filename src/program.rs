@@ -6,7 +6,7 @@ use crate::campaigns::{cost, search};
 use crate::cli::Args;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
-use crate::output::agree;
+use crate::output::{agree, collective};
 use crate::scene::{self, Scene};
 use crate::simulation::{self, Ended, Options, log, resources, run::default_directory, signals};
 use crate::step::workers;
@@ -32,6 +32,9 @@ pub fn main() -> i32 {
             error.exit_code()
         }
     };
+    if collective::is_stuck(&comm) {
+        comm.abort(code);
+    }
     comm.finish();
     code
 }
@@ -44,7 +47,9 @@ fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
     };
     if args.check {
         let ranks = args.ranks.unwrap_or(comm.size() as u32) as usize;
-        return match agree(comm, workers::start_threads(1)).and_then(|()| cost::check(&scene, ranks, comm)) {
+        let network = args.latency.zip(args.bandwidth);
+        let started = agree(comm, workers::start_threads(1));
+        return match started.and_then(|()| cost::check(&scene, ranks, network, comm)) {
             Ok(text) => {
                 if comm.is_root() {
                     print!("{text}");

@@ -99,7 +99,7 @@ fn full_disk_during_a_checkpoint() {
         let legs = Legs::new();
         legs.leg(2, "stop:0:20", STOPPED);
         let before = fs::read(legs.file("checkpoint.h5")).expect("a checkpoint");
-        let output = legs.leg(2, &format!("full:{rank}:40"), FAILED);
+        let output = legs.leg(2, &format!("full_in_checkpoint:{rank}:40"), FAILED);
         assert_one_error(&output, &["checkpoint.h5.tmp", "cannot write", "allowed: room on the disk"]);
         assert_eq!(legs.temporary_files(), [""; 0], "the room is given back");
         assert!(fs::read(legs.file("checkpoint.h5")).is_ok_and(|now| now == before), "the checkpoint was touched");
@@ -107,22 +107,26 @@ fn full_disk_during_a_checkpoint() {
     }
 }
 
-/// The same for a snapshot, with one at every step.
+/// The same for a snapshot on the way.
 #[test]
 fn full_disk_during_a_snapshot() {
     for rank in 0..2 {
         let mut legs = Legs::new();
-        legs.settings.push("output.every=1e-9 s");
-        legs.leg(2, "stop:0:10", STOPPED);
-        // Snapshot 1 shows the start, 21 the step that fails.
-        let output = legs.leg(2, &format!("full:{rank}:20"), FAILED);
-        assert_one_error(&output, &["snapshot_0021.vtkhdf.tmp", "cannot write", "allowed: room on the disk"]);
-        assert!(legs.temporary_files().is_empty() && !legs.file("snapshot_0021.vtkhdf").exists());
-        assert!(legs.file("snapshot_0020.vtkhdf").exists());
+        legs.settings.push("output.every=0.03 s");
+        legs.leg(2, "stop:0:20", STOPPED);
+        let output = legs.leg(2, &format!("full:{rank}:22"), FAILED);
+        assert_one_error(&output, &["/snapshot_00", ".vtkhdf.tmp: cannot ", "allowed: room on the disk"]);
+        let snapshots = || {
+            let names = files(&legs.run()).into_keys().filter(|name| name.ends_with(".vtkhdf"));
+            names.collect::<Vec<_>>()
+        };
+        let (before, next) = (snapshots(), format!("snapshot_{:04}.vtkhdf", snapshots().len() + 1));
+        assert!(output.stderr.contains(&next) && before.len() >= 2, "{before:?}\n{}", output.stderr);
+        assert_eq!(legs.temporary_files(), [""; 0], "the room is given back");
         let series = fs::read_to_string(legs.file("snapshots.vtkhdf.series")).expect("a list of snapshots");
-        assert!(series.contains("snapshot_0020") && !series.contains("snapshot_0021"), "{series}");
+        assert!(before.iter().all(|name| series.contains(name.as_str())) && !series.contains(&next), "{series}");
         legs.finish();
-        assert!(legs.file("snapshot_0021.vtkhdf").exists());
+        assert!(snapshots().contains(&next));
     }
 }
 
@@ -150,12 +154,9 @@ fn flip_a_bit(path: &Path) {
 
 #[test]
 fn damaged_newest_checkpoint_gives_way_to_the_previous_one() {
-    let cases: [(&str, fn(&Path)); 3] = [
-        ("the newest checkpoint was not taken", truncate),
-        ("does not match its checksum", flip_a_bit),
-        ("", |path| fs::remove_file(path).expect("a checkpoint")),
-    ];
-    for (says, damage) in cases {
+    let remove = |path: &Path| fs::remove_file(path).expect("a checkpoint");
+    let says = ["the newest checkpoint was not taken", "does not match its checksum", ""];
+    for (says, damage) in says.into_iter().zip([truncate, flip_a_bit, remove]) {
         let legs = damaged(|newest, _| damage(newest));
         legs.finish();
         let log = fs::read_to_string(legs.file("log.txt")).expect("a log");

@@ -3,6 +3,7 @@
 mod allocations;
 mod architecture;
 mod balance;
+mod boundaries;
 mod common;
 mod errors;
 mod faults;

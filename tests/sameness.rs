@@ -63,7 +63,7 @@ fn run_legs(dir: &Path, legs: &[(u64, Way)]) -> Value {
 }
 
 /// A run that others are compared with: one rank, one thread.
-type Reference = (PathBuf, Value);
+pub type Reference = (PathBuf, Value);
 
 fn run_reference(name: &str, way: Way) -> Reference {
     let dir = directory(name);
@@ -174,8 +174,8 @@ fn checkpoint_and_resume_on_other_ranks() {
     }
 }
 
-/// A scene on other ranks and threads, and through a checkpoint.
-fn compare_scene(name: &str, scene: &'static str) {
+/// A scene on other ranks and threads, and through a checkpoint. Where the run on one rank lies, and its summary.
+pub fn compare_scene(name: &str, scene: &'static str) -> Reference {
     let way = |ranks, threads| Way { scene, ..Way::new(ranks, threads) };
     let reference = run_reference(&format!("{name}_reference"), way(1, 1));
     let steps = reference.1["steps"].as_u64().expect("steps in summary.json");
@@ -188,6 +188,7 @@ fn compare_scene(name: &str, scene: &'static str) {
         let found = run_legs(&dir, legs);
         assert_same(&name, &dir, &found, &reference);
     }
+    reference
 }
 
 /// Strong rock that breaks, under artificial stress, in the plane.

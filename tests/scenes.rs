@@ -208,14 +208,20 @@ fn put(tree: &mut Table, path: &[String], value: Option<Value>) {
     *tree = root.as_table().cloned().unwrap_or_default();
 }
 
-/// The scenes of `inputs/`.
+/// The scenes of `inputs/`, as they are written and as they are understood, with every key that there is for them.
 fn inputs() -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("inputs");
-    let files = std::fs::read_dir(folder).expect("inputs/").flatten().map(|entry| entry.path());
-    let mut scenes: Vec<_> = files.filter(|path| path.extension().is_some_and(|e| e == "toml")).collect();
+    let of = |folder: &Path| std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    let files: Vec<_> = of(&folder).flat_map(|path| of(&path).chain([path]).collect::<Vec<_>>()).collect();
+    let mut scenes: Vec<_> = files.into_iter().filter(|path| path.extension().is_some_and(|e| e == "toml")).collect();
     scenes.sort();
     assert!(scenes.len() >= 4, "{scenes:?}");
-    scenes.iter().map(|path| std::fs::read_to_string(path).expect("a readable scene")).collect()
+    let written = scenes.iter().map(|path| std::fs::read_to_string(path).expect("a readable scene"));
+    let both = |text: String| {
+        let understood = Scene::parse("scene.toml", &text, &[]).map(|scene| scene.to_toml());
+        [Some(text), understood.ok()].into_iter().flatten()
+    };
+    written.flat_map(both).collect()
 }
 
 /// The same cases each time; nothing is written into the source tree.

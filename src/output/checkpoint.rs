@@ -82,22 +82,21 @@ pub fn write(
     comm: &Comm,
 ) -> Result<()> {
     let path = directory.join(NEWEST);
-    prepare(&path, comm, |path| write_file(path, columns, id, meta, comm))?;
+    prepare(&path, comm, |file| fill(file, columns, id, meta, comm))?;
     agree(comm, if comm.is_root() { keep_previous(directory) } else { Ok(()) })?;
     publish(&path, comm)
 }
 
-fn write_file(
-    path: &Path,
+fn fill(
+    file: &CollectiveFile,
     columns: &Columns,
     id: Column<ParticleId>,
     meta: &CheckpointMeta,
     comm: &Comm,
 ) -> Result<()> {
-    let file = CollectiveFile::create(path, comm)?;
     let (_, particles) = file.places(columns.len());
     let header = Header { dimension: columns.registry.dimension, particles: particles as u64, meta: meta.clone() };
-    write_header(&file, &header, comm)?;
+    write_header(file, &header, comm)?;
     file.group("/columns")?;
     let which = state_columns(columns);
     for (&index, sum) in which.iter().zip(checksums(columns, id, &which, comm)) {
@@ -110,7 +109,7 @@ fn write_file(
         file.attribute(&at, "unit", Value::Text(entry.info.unit))?;
         file.attribute(&at, "checksum", Value::Text(&sum.to_string()))?;
     }
-    file.close()
+    Ok(())
 }
 
 /// Ranks may differ in what they put there, in wall times say: rank 0's text counts.

@@ -52,14 +52,11 @@ impl Snapshot<'_> {
     /// Writes the file; it appears under its name when it is whole. Returns whether every write was collective, as HDF5
     /// reports it. Collective.
     pub fn write(&self, path: &Path, comm: &Comm) -> Result<bool> {
-        let collective = prepare(path, comm, |path| {
-            let file = CollectiveFile::create(path, comm)?;
-            self.write_geometry(&file)?;
-            self.write_fields(&file)?;
-            self.write_run(&file)?;
-            let collective = file.was_collective();
-            file.close()?;
-            Ok(collective)
+        let collective = prepare(path, comm, |file| {
+            self.write_geometry(file)?;
+            self.write_fields(file)?;
+            self.write_run(file)?;
+            Ok(file.was_collective())
         })?;
         publish(path, comm)?;
         Ok(collective)

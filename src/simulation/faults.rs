@@ -3,7 +3,7 @@
 //! - `panic` panics there, `pool` on the other threads of the rank's pool, `kill` ends the process without a word;
 //! - `stop` behaves as if SIGTERM had come;
 //! - `nan` makes a rate of one particle no number;
-//! - `full` lets no file of the rank grow any more, and asks for a checkpoint;
+//! - `full` lets no file of the rank grow any more, `full_in_checkpoint` asks for a checkpoint at that moment;
 //! - `kill_in_write`, `term_in_write` ask for a checkpoint and raise SIGKILL or SIGTERM amid the data of the next file, and
 //!   `kill_before_rename` when that file is whole and has not got its name yet.
 
@@ -36,6 +36,7 @@ enum Kind {
     Stop,
     Nan,
     Full,
+    FullInCheckpoint,
     KillInWrite,
     TermInWrite,
     KillBeforeRename,
@@ -64,6 +65,7 @@ impl Fault {
             "stop" => Kind::Stop,
             "nan" => Kind::Nan,
             "full" => Kind::Full,
+            "full_in_checkpoint" => Kind::FullInCheckpoint,
             "kill_in_write" => Kind::KillInWrite,
             "term_in_write" => Kind::TermInWrite,
             "kill_before_rename" => Kind::KillBeforeRename,
@@ -91,18 +93,17 @@ impl Fault {
             Kind::Kill => drop(unsafe { libc::raise(libc::SIGKILL) }),
             Kind::Stop => return Asks::Stop,
             Kind::Nan => self.poisoned.store(true, Ordering::Relaxed),
-            Kind::Full => {
+            Kind::Full | Kind::FullInCheckpoint => {
                 let limit = libc::rlimit { rlim_cur: FULL, rlim_max: libc::RLIM_INFINITY };
                 // SAFETY: reads the structure that it is given.
                 unsafe { libc::setrlimit(libc::RLIMIT_FSIZE, &limit) };
-                return Asks::Checkpoint;
             }
             Kind::KillInWrite => moment::arm(Moment::Writing, libc::SIGKILL),
             Kind::TermInWrite => moment::arm(Moment::Writing, libc::SIGTERM),
             Kind::KillBeforeRename => moment::arm(Moment::Written, libc::SIGKILL),
         }
-        let in_write = matches!(kind, Kind::KillInWrite | Kind::TermInWrite | Kind::KillBeforeRename);
-        if in_write { Asks::Checkpoint } else { Asks::Nothing }
+        let elsewhere = [Kind::Panic, Kind::Pool, Kind::Kill, Kind::Stop, Kind::Nan, Kind::Full];
+        if elsewhere.contains(&kind) { Asks::Nothing } else { Asks::Checkpoint }
     }
 }
 

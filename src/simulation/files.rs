@@ -136,5 +136,5 @@ impl<const D: usize> Run<'_, D> {
 
 /// Identifies what was asked for: the scene as understood, without what may change between restarts.
 pub fn scene_hash(scene: &Scene) -> String {
-    blake3::hash(scene.to_toml().as_bytes()).to_hex().to_string()
+    blake3::hash(scene.identity().as_bytes()).to_hex().to_string()
 }

@@ -63,6 +63,7 @@ const FAILED: u32 = 3;
 
 /// Runs a scene. Collective.
 pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<RunReport> {
+    comm.set_file_hints(scene.output.mpi_io_hints.iter().map(|(key, value)| (key.as_str(), value.as_str())));
     match scene.dimension {
         2 => Run::<2>::open(scene, options, comm)?.run_to_end(),
         _ => Run::<3>::open(scene, options, comm)?.run_to_end(),

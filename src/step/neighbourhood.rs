@@ -195,6 +195,11 @@ impl<const D: usize> Neighbourhood<D> {
         most[0] * comm.size() as f64 / total[0].max(1) as f64
     }
 
+    /// Entries and rows of the present list.
+    pub fn list_size(&self) -> (f64, f64) {
+        self.list_size
+    }
+
     /// Cost of a particle's own update in list entries, from the time that all ranks took so far: what disturbs one of them
     /// must not count as load. Collective.
     fn update_cost(&self, phases: &Phases, counters: &Counters, comm: &Comm) -> f64 {
