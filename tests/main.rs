@@ -1,5 +1,4 @@
 //! All tests that need the whole program or several ranks, by topic, in one binary: it links once.
-
 mod allocations;
 mod architecture;
 mod balance;
@@ -7,6 +6,7 @@ mod boundaries;
 mod common;
 mod errors;
 mod faults;
+mod fracture;
 mod hard_cases;
 mod hard_neighbours;
 mod output;
