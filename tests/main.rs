@@ -5,6 +5,7 @@ mod architecture;
 mod balance;
 mod common;
 mod errors;
+mod exact;
 mod output;
 mod pair_loop;
 mod pay_for_use;
