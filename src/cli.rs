@@ -10,6 +10,8 @@ Examples:
       run a scene, here the search for a disruption threshold, on two ranks
   sph-mpi inputs/qd_star.toml --check --ranks 8
       validate the scene and say what it will cost on eight ranks; nothing runs
+  sph-mpi inputs/impact.toml --check --ranks 1024 --latency 1.5e-6 --bandwidth 3e9
+      the same for a network that is not this machine's
   sph-mpi inputs/impact.toml --set target.particles=200000 --set 'projectile.radius=2 km' --out runs/hires
       the same scene with other values, into another directory
   sph-mpi inputs/impact.toml --set material.basalt.fracture=false
@@ -51,9 +53,22 @@ pub struct Args {
     #[arg(long, value_name = "N", requires = "check", value_parser = clap::value_parser!(u32).range(1..))]
     pub ranks: Option<u32>,
 
+    /// Seconds for a short message between ranks, for --check of another network [default: measured on two ranks and more].
+    #[arg(long, value_name = "SECONDS", requires = "check", requires = "bandwidth", value_parser = positive)]
+    pub latency: Option<f64>,
+
+    /// Bytes per second that a rank can send, all ranks of a machine at once; with --latency.
+    #[arg(long, value_name = "BYTES", requires = "check", requires = "latency", value_parser = positive)]
+    pub bandwidth: Option<f64>,
+
     /// Print nothing but errors.
     #[arg(long, short)]
     pub quiet: bool,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| "not a number".to_string())?;
+    if value > 0.0 && value.is_finite() { Ok(value) } else { Err("more than 0 is allowed".into()) }
 }
 
 #[cfg(test)]
@@ -76,9 +91,18 @@ mod tests {
         assert_eq!(args.overrides, ["x=1", "y.z=2"]);
         assert_eq!((args.threads, args.resume, args.check), (Some(2), true, false));
         assert_eq!(parse("sph-mpi a.toml --check --ranks 8").unwrap().ranks, Some(8));
-        for bad in
-            ["sph-mpi", "sph-mpi a --threads 0", "sph-mpi a --ranks 2", "sph-mpi a --check --resume", "sph-mpi a b"]
-        {
+        let network = parse("sph-mpi a.toml --check --latency 2e-6 --bandwidth 1e10").unwrap();
+        assert_eq!((network.latency, network.bandwidth), (Some(2e-6), Some(1e10)));
+        for bad in [
+            "sph-mpi",
+            "sph-mpi a --threads 0",
+            "sph-mpi a --ranks 2",
+            "sph-mpi a --check --resume",
+            "sph-mpi a --latency 1e-6",
+            "sph-mpi a --check --latency 1e-6",
+            "sph-mpi a --check --latency 1e-6 --bandwidth 0",
+            "sph-mpi a b",
+        ] {
             assert!(parse(bad).is_err(), "{bad}");
         }
     }

@@ -11,13 +11,15 @@ pub struct Error {
     pub place: String,
     /// What is allowed instead; empty when there is nothing to choose from.
     pub allowed: String,
+    /// Whether what was asked for is at fault, not the run on its way: the exit code tells them apart.
+    pub bad_input: bool,
 }
 
 pub type Result<T> = std::result::Result<T, Error>;
 
 impl Error {
     pub fn new(what: impl Into<String>) -> Self {
-        Self { what: what.into(), place: String::new(), allowed: String::new() }
+        Self { what: what.into(), place: String::new(), allowed: String::new(), bad_input: false }
     }
 
     pub fn at(mut self, place: impl Into<String>) -> Self {
@@ -27,6 +29,11 @@ impl Error {
 
     pub fn allowed(mut self, allowed: impl Into<String>) -> Self {
         self.allowed = allowed.into();
+        self
+    }
+
+    pub fn bad_input(mut self) -> Self {
+        self.bad_input = true;
         self
     }
 }

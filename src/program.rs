@@ -6,6 +6,7 @@ use crate::campaigns::{cost, search};
 use crate::cli::Args;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
+use crate::output::{agree, collective};
 use crate::scene::{self, Scene};
 use crate::simulation::{self, Ended, Options, log, resources, run::default_directory, signals};
 use crate::step::workers;
@@ -31,6 +32,9 @@ pub fn main() -> i32 {
             error.exit_code()
         }
     };
+    if collective::is_stuck(&comm) {
+        comm.abort(code);
+    }
     comm.finish();
     code
 }
@@ -43,7 +47,9 @@ fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
     };
     if args.check {
         let ranks = args.ranks.unwrap_or(comm.size() as u32) as usize;
-        return match workers::start_threads(1).and_then(|()| cost::check(&scene, ranks, comm)) {
+        let network = args.latency.zip(args.bandwidth);
+        let started = agree(comm, workers::start_threads(1));
+        return match started.and_then(|()| cost::check(&scene, ranks, network, comm)) {
             Ok(text) => {
                 if comm.is_root() {
                     print!("{text}");
@@ -68,7 +74,7 @@ fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
     match ended {
         Ok(Ended::Finished) => 0,
         Ok(Ended::Interrupted) => INTERRUPTED,
-        Err(error) => complain(&error, FAILED, comm),
+        Err(error) => complain(&error, if error.bad_input { BAD_INPUT } else { FAILED }, comm),
     }
 }
 
@@ -100,7 +106,8 @@ fn prepare(args: &Args, options: &Options, comm: &Comm) -> Result<()> {
             "{threads} threads on {cores} usable cores: the launcher may have pinned this rank (--bind-to none)"
         );
     }
-    workers::start_threads(threads)?;
+    simulation::resources::give_freed_memory_back();
+    agree(comm, workers::start_threads(threads))?;
     signals::listen();
     Ok(())
 }

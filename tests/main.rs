@@ -3,9 +3,11 @@
 mod allocations;
 mod architecture;
 mod balance;
+mod boundaries;
 mod common;
 mod errors;
 mod exact;
+mod faults;
 mod output;
 mod pair_loop;
 mod pay_for_use;
@@ -13,3 +15,4 @@ mod ranks;
 mod ranks_domain;
 mod ranks_outcome;
 mod sameness;
+mod scenes;

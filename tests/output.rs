@@ -306,3 +306,31 @@ fn every_pixel_of_a_cut_shows_the_nearest_particle() {
         [1, 3].into_iter().for_each(|ranks| launch(name, ranks, directory.path(), ""));
     }
 }
+
+/// What is given to MPI is what MPI says of the open file, until other hints are given.
+#[test]
+fn hints_reach_the_file() {
+    let directory = tempfile::tempdir().unwrap();
+    let on_ranks = on_ranks(|comm, directory, _| {
+        let path = directory.join("hints.h5");
+        let hints_of = |file: CollectiveFile| {
+            let hints = file.hints().unwrap();
+            file.close().unwrap();
+            hints
+        };
+        let given = [("cb_nodes", "1"), ("striping_factor", "8")];
+        comm.set_file_hints(given);
+        for open in [CollectiveFile::create, CollectiveFile::open] {
+            let found = hints_of(open(&path, comm).unwrap());
+            for (key, value) in given {
+                assert!(found.iter().any(|(k, v)| (k.as_str(), v.as_str()) == (key, value)), "{key} in {found:?}");
+            }
+        }
+        comm.set_file_hints([]);
+        let found = hints_of(CollectiveFile::create(&path, comm).unwrap());
+        assert!(found.iter().all(|(key, _)| key != "striping_factor"), "{found:?}");
+    });
+    if !on_ranks {
+        launch("hints_reach_the_file", 2, directory.path(), "");
+    }
+}

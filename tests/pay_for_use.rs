@@ -43,11 +43,12 @@ picture = false
 "#;
 
 /// What every scene has, name and words per particle.
-const CORE: [(&str, usize); 11] = [
+const CORE: [(&str, usize); 12] = [
     ("id", 1),
     ("position", 3),
     ("velocity", 3),
     ("acceleration", 3),
+    ("jerk", 3),
     ("build_position", 3),
     ("density", 1),
     ("density_rate", 1),
@@ -167,12 +168,9 @@ fn parse(text: &str) -> (Scene, Plan) {
 
 fn run(scene: &str, ranks: usize, settings: &[&str]) -> (tempfile::TempDir, serde_json::Value) {
     let dir = tempfile::tempdir().expect("a temporary directory");
-    let path = write_scene(dir.path(), scene);
-    let out = dir.path().join("run");
-    let mut args = vec![path.as_os_str(), "--out".as_ref(), out.as_os_str()];
-    args.extend(settings.iter().flat_map(|setting| ["--set".as_ref(), std::ffi::OsStr::new(*setting)]));
-    Launch::scene(ranks, &args).run().expect_code(0);
-    let found = summary(&out);
+    let settings: Vec<&str> = settings.iter().flat_map(|setting| ["--set", setting]).collect();
+    Launch::in_directory(ranks, dir.path(), scene, &settings).run().expect_code(0);
+    let found = summary(&dir.path().join("run"));
     (dir, found)
 }
 
@@ -276,5 +274,14 @@ fn check_says_what_a_scene_costs() {
     for (text, memory) in [(&text, "memory on 2 ranks"), (&without, "memory on 8 ranks")] {
         assert_eq!(text.matches(memory).count(), 1, "{memory}: one rank speaks\n{text}");
     }
+    // Two ranks measure what lies between them; another network can be given, a slow one here.
+    let slow = check(&["--ranks", "8", "--latency", "1e-3", "--bandwidth", "1e6"]);
+    assert!(text.contains("one step on 2 ranks") && text.contains("measured between the first rank"), "{text}");
+    assert!(slow.contains("one step on 8 ranks") && slow.contains("1.00e-3 s, 1.0e6 bytes/s, as given"), "{slow}");
+    let efficiency = |text: &str| {
+        let line = text.lines().find_map(|line| line.trim().strip_prefix("parallel efficiency"));
+        line.and_then(|rest| rest.trim().parse::<f64>().ok()).unwrap_or_else(|| panic!("{text}"))
+    };
+    assert!(efficiency(&slow) < 0.1 && efficiency(&text) < 1.0 && efficiency(&text) > efficiency(&slow));
     assert!(!out.exists(), "a check leaves no run");
 }

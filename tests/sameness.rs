@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 
 use serde_json::Value;
 
-use crate::common::{IMPACT, Launch, summary, write_scene};
+use crate::common::{IMPACT, Launch, summary};
 
 /// Where the runs of one comparison lie; emptied first.
 fn directory(name: &str) -> PathBuf {
@@ -34,12 +34,8 @@ impl Way {
     }
 
     fn launch(self, dir: &Path, more: &[&str]) -> Launch {
-        let scene = write_scene(dir, self.scene);
-        let (out, threads) = (dir.join("run"), self.threads.to_string());
-        let path = |p: &Path| p.to_str().expect("a plain path").to_owned();
-        let mut args = vec![path(&scene), "--out".into(), path(&out), "--threads".into(), threads];
-        args.extend(more.iter().map(|s| s.to_string()));
-        let launch = Launch::scene(self.ranks, &args);
+        let threads = self.threads.to_string();
+        let launch = Launch::in_directory(self.ranks, dir, self.scene, &[&["--threads", &threads], more].concat());
         match self.simd {
             Some(width) => launch.env("SPH_MPI_SIMD", width),
             None => launch,
@@ -67,7 +63,7 @@ fn run_legs(dir: &Path, legs: &[(u64, Way)]) -> Value {
 }
 
 /// A run that others are compared with: one rank, one thread.
-type Reference = (PathBuf, Value);
+pub type Reference = (PathBuf, Value);
 
 fn run_reference(name: &str, way: Way) -> Reference {
     let dir = directory(name);
@@ -178,8 +174,8 @@ fn checkpoint_and_resume_on_other_ranks() {
     }
 }
 
-/// A scene on other ranks and threads, and through a checkpoint.
-fn compare_scene(name: &str, scene: &'static str) {
+/// A scene on other ranks and threads, and through a checkpoint. Where the run on one rank lies, and its summary.
+pub fn compare_scene(name: &str, scene: &'static str) -> Reference {
     let way = |ranks, threads| Way { scene, ..Way::new(ranks, threads) };
     let reference = run_reference(&format!("{name}_reference"), way(1, 1));
     let steps = reference.1["steps"].as_u64().expect("steps in summary.json");
@@ -192,6 +188,7 @@ fn compare_scene(name: &str, scene: &'static str) {
         let found = run_legs(&dir, legs);
         assert_same(&name, &dir, &found, &reference);
     }
+    reference
 }
 
 /// Strong rock that breaks, under artificial stress, in the plane.

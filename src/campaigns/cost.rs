@@ -4,12 +4,15 @@ use std::fmt::Write;
 
 use toml::{Table, Value};
 
+use super::model::{self, Load, Step};
 use super::pace::{self, Pace};
 use crate::domain::comm::Comm;
 use crate::error::Result;
+use crate::kernel::SUPPORT;
 use crate::outcome::settled::Settled;
 use crate::particles::Life;
-use crate::scene::{Scene, Until};
+use crate::particles::columns::Entry;
+use crate::scene::{Precision, Scene, Until};
 use crate::simulation::footprint::Footprint;
 use crate::simulation::setup::{self, Plan};
 use crate::simulation::{report, resources};
@@ -18,17 +21,22 @@ use crate::step::time_step;
 /// Impacts that a threshold search usually takes.
 const IMPACTS: f64 = 6.0;
 
-/// Describes the scene and its cost on `ranks` ranks of one thread each. Collective.
-pub fn check(scene: &Scene, ranks: usize, comm: &Comm) -> Result<String> {
+/// Describes the scene and its cost on `ranks` ranks of one thread each, over a `network` of that latency, s, and bandwidth,
+/// bytes/s, where they are given. Collective.
+pub fn check(scene: &Scene, ranks: usize, network: Option<(f64, f64)>, comm: &Comm) -> Result<String> {
     let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
     let footprint = Footprint::new(scene, &plan, ranks);
-    let pace = pace::measure(scene, &plan.constants, comm)?;
+    let pace = pace::measure(scene, &plan.constants, (footprint.owned, network), comm)?;
+    let life = list_life(scene, &plan).unwrap_or(pace.life);
+    let cost = |footprint: &Footprint, ranks| Step::new(&pace.machine, &load(scene, &plan, footprint, (ranks, life)));
+    let (alone, shared) = (cost(&Footprint::new(scene, &plan, 1), 1), cost(&footprint, ranks));
     let parts = [
         bodies(scene, &plan),
         effects(scene, &plan),
         columns(&plan),
         memory(&plan, &footprint, ranks),
-        time(scene, &plan, &footprint, (pace, ranks)),
+        one_step(&alone, &shared, (&pace, life), ranks),
+        time(scene, &plan, &footprint, &pace, (&shared, ranks)),
     ];
     Ok(parts.concat())
 }
@@ -126,14 +134,64 @@ fn memory(plan: &Plan, footprint: &Footprint, ranks: usize) -> String {
     format!("\nmemory on {ranks} rank{}\n{text}", if ranks == 1 { "" } else { "s" })
 }
 
-fn time(scene: &Scene, plan: &Plan, footprint: &Footprint, (pace, ranks): (Pace, usize)) -> String {
+/// What each of `ranks` ranks has to do, with lists that live for so many steps.
+fn load(scene: &Scene, plan: &Plan, footprint: &Footprint, (ranks, life): (usize, f64)) -> Load {
+    let d = scene.dimension as f64;
+    // A cell tells its displacements to two cells' depth; a site is a particle's id, position and radius.
+    let watch = 2.0 * footprint.ghosts / footprint.ghosts_per_cell * 8.0 * (2.0 * d + 2.0);
+    let site = 8.0 * (d + 2.0);
+    // Particles move by about the skin between two lists: of a layer as deep as a list radius, that share may change ranks.
+    let skin = scene.numerics.skin / (1.0 + scene.numerics.skin);
+    Load {
+        ranks,
+        owned: footprint.owned,
+        ghosts: footprint.ghosts,
+        peers: footprint.peers,
+        entries: footprint.row,
+        life,
+        ghost_bytes: footprint.sent(),
+        watch_bytes: watch,
+        build_bytes: footprint.ghosts * (site + skin * plan.registry.bytes_per_particle() as f64),
+        history_every: scene.output.history_every as f64,
+    }
+}
+
+/// Steps until bodies of an impact have come nearer by the skin, and lists must be built: the shortest life there is, as all
+/// ranks build together.
+fn list_life(scene: &Scene, plan: &Plan) -> Option<f64> {
+    let speed = scene.impact.as_ref()?.speed;
+    let h = plan.constants.iter().map(|body| body.smoothing_length).fold(f64::INFINITY, f64::min);
+    Some((scene.numerics.skin * SUPPORT * h / (speed * step(scene, plan, speed).0)).max(1.0))
+}
+
+fn one_step(alone: &Step, shared: &Step, (pace, life): (&Pace, f64), ranks: usize) -> String {
+    let mut text = String::new();
+    let mut line = |what: &str, value: String| {
+        let _ = writeln!(text, "  {what:<34}{value}");
+    };
+    for (what, seconds) in shared.parts() {
+        line(what, format!("{seconds:.2e} s  {:>5.1} %", 100.0 * seconds / shared.wall()));
+    }
+    line("a step", format!("{:.2e} s", shared.wall()));
+    line("parallel efficiency", format!("{:.3}", model::efficiency(alone, shared, ranks)));
+    let machine = &pace.machine;
+    let nano = |seconds: f64| format!("{:.3}", 1e9 * seconds);
+    line("ns per pair, per entry of a list", format!("{}, {}", nano(machine.pair), nano(machine.list)));
+    line("ns per update, per new order", format!("{}, {}", nano(machine.update), nano(machine.ordering)));
+    line("measured", format!("in {} steps of {} particles here", pace.steps, pace.particles));
+    line("life of a list", format!("{life:.1} steps"));
+    let network = format!("{:.2e} s, {:.1e} bytes/s", machine.latency, machine.bandwidth);
+    line("latency and bandwidth", format!("{network}, {}", pace.network_by));
+    let s = if ranks == 1 { "" } else { "s" };
+    format!("\none step on {ranks} rank{s} of one thread, none of them sharing a core\n{text}")
+}
+
+fn time(scene: &Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, (cost, ranks): (&Step, usize)) -> String {
     let (first, limiting) = step(scene, plan, 0.0);
     // Shocks of an impact close in with about its speed, in some particle or other until the end.
     let dt = scene.impact.as_ref().map_or(first, |impact| step(scene, plan, impact.speed).0);
     let (end, why) = end(scene);
     let steps = (end / dt).ceil().min(scene.run.steps.map_or(f64::INFINITY, |most| most as f64));
-    let updates = steps * footprint.particles as f64;
-    let core_seconds = updates / pace.updates_per_core_second;
     let mut text = String::new();
     let mut line = |what: &str, value: String| {
         let _ = writeln!(text, "  {what:<34}{value}");
@@ -142,21 +200,36 @@ fn time(scene: &Scene, plan: &Plan, footprint: &Footprint, (pace, ranks): (Pace,
     line("end", format!("{} s, {why}", number(end)));
     let limit = if scene.impact.is_some() { "the CFL condition at the speed of impact" } else { "the first" };
     line("steps", format!("{steps:.0}, were all of {} s as {limit} allows", number(dt)));
-    let Pace { particles, steps, list_builds, .. } = pace;
-    let how = format!("measured here: {particles} particles, {steps} steps, {list_builds} list builds");
-    line("updates per core-second", format!("{:.2e}, {how}", pace.updates_per_core_second));
-    let cost = |runs: f64| {
-        let core = runs * core_seconds;
-        let apart = if ranks > 1 { format!(", {} on {ranks}", duration(core / ranks as f64)) } else { String::new() };
-        format!("{} on one core{apart}", duration(core))
+    line("updates per core-second", format!("{:.2e}", footprint.owned / cost.work()));
+    let (files, bytes) = output(scene, plan, footprint.particles, (end.min(steps * dt), steps * cost.wall()));
+    let writing = bytes / pace.machine.files;
+    let rate = format!("{} per second, {}", size(pace.machine.files), pace.files_by);
+    line("output", format!("{files}: {}, {} at {rate}", size(bytes), duration(writing)));
+    let price = |runs: f64| {
+        let (wall, core) = (runs * (steps * cost.wall() + writing), runs * steps * ranks as f64 * cost.work());
+        format!("{} on {ranks} rank{}, {core:.3e} core-seconds", duration(wall), if ranks == 1 { "" } else { "s" })
     };
     if scene.threshold.is_some() {
-        line("one impact", cost(1.0));
-        line(&format!("the search, of about {IMPACTS} impacts"), cost(IMPACTS));
+        line("one impact", price(1.0));
+        line(&format!("the search, of about {IMPACTS} impacts"), price(IMPACTS));
     } else {
-        line("the run", cost(1.0));
+        line("the run", price(1.0));
     }
-    format!("\ntime, without waits of ranks for each other and without output\n{text}")
+    format!("\ntime; core-seconds are without waits of ranks for each other and without output\n{text}")
+}
+
+/// What a run writes, in words and in bytes. `until`: its end in simulated time, s, and in wall time, s.
+fn output(scene: &Scene, plan: &Plan, particles: u64, until: (f64, f64)) -> (String, f64) {
+    let entries = &plan.registry.entries;
+    let words = |wanted: &dyn Fn(&Entry) -> bool| entries.iter().filter(|e| wanted(e)).map(|e| e.width).sum::<usize>();
+    let real = if scene.output.precision == Precision::F32 { 4.0 } else { 8.0 };
+    let snapshots = scene.output.snapshot_interval.map_or(0.0, |interval| (until.0 / interval).floor() + 2.0);
+    let checkpoints = 1.0 + (until.1 / scene.run.checkpoint_every).floor();
+    let of_snapshots = snapshots * real * words(&|entry| entry.info.snapshot) as f64;
+    let of_checkpoints = checkpoints * 8.0 * words(&|entry| entry.info.life == Life::State) as f64;
+    let s = if checkpoints == 1.0 { "" } else { "s" };
+    let bytes = particles as f64 * (of_snapshots + of_checkpoints);
+    (format!("{snapshots} snapshots, {checkpoints} checkpoint{s}"), bytes)
 }
 
 /// The step that the signal speed allows where particles approach with this speed, s, and the body that limits it.

@@ -1,74 +1,184 @@
-//! How fast this machine steps a scene: its own effects and pair terms, timed over a few steps on a block of particles in
-//! random motion.
+//! How fast this machine steps a scene: its own effects and pair terms, timed over a few steps on a block of particles, part
+//! of them in random motion; messages between two ranks, where there are two; and a small file.
 
+use std::io::Write;
+use std::time::Instant;
+
+use super::model::Machine;
 use crate::domain::comm::Comm;
 use crate::error::Result;
 use crate::material::BodyConstants;
 use crate::math::Vec3;
-use crate::particles::{Columns, ParticleId};
+use crate::particles::{Columns, ParticleId, Periods};
 use crate::random::uniform;
 use crate::scene::Scene;
 use crate::simulation::{report, resources, setup};
-use crate::step::Stepper;
+use crate::step::phases::{Phase, Phases};
+use crate::step::stepper::StepSettings;
+use crate::step::{Failure, Stepper};
 
-/// Particles along each edge of the block, in two and in three dimensions: about 20,000.
-const EDGE: [usize; 2] = [141, 27];
-const STEPS: usize = 12;
-/// Random speeds over the speed of sound: enough for shocks, yielding, flaws that open, and lists that last for few steps,
-/// as in an impact.
+/// Particles of the block: as many as a rank will have, since caches make few particles cheaper, but within these bounds.
+const PARTICLES: [f64; 2] = [8e3, 1e5];
+/// Updates of particles to be timed, about a second's work, and the fewest steps.
+const UPDATES: usize = 1_600_000;
+const FEWEST_STEPS: usize = 16;
+/// Random speeds over the speed of sound, and one particle in how many has them: enough for shocks, yielding, flaws that open
+/// and lists that must be built. Matter that yields and breaks costs four times as much material update as matter at rest, and
+/// at any time of an impact about an eighth of it does.
 const MOTION: f64 = 0.1;
+const MOVING: u64 = 8;
 const SEED: u64 = 1;
+/// Phases of the step that scale alike: pairs, update, lists, ordering and totals of the model.
+const PARTS: [&[Phase]; 5] = [
+    &[Phase::Pairs],
+    &[Phase::Predict, Phase::Watch, Phase::Pack],
+    &[Phase::Lists],
+    &[Phase::Migration],
+    &[Phase::Diagnostics],
+];
+/// A network between machines as clusters have it, s and bytes/s, where nothing is measured or said.
+const NETWORK: (f64, f64) = (2e-6, 5e9);
+/// Bytes written to see how fast files are, and bytes/s where nothing can be written.
+const FILE: usize = 16 << 20;
+const FILES: f64 = 5e8;
 
-/// A measured speed.
-#[derive(Debug, Clone, Copy)]
+/// What was measured.
+#[derive(Debug, Clone)]
 pub struct Pace {
-    pub updates_per_core_second: f64,
+    pub machine: Machine,
+    /// Steps that a list of neighbours lived for.
+    pub life: f64,
     /// What it was measured with.
     pub particles: usize,
     pub steps: usize,
-    pub list_builds: u64,
+    /// Where the figures of the network come from, and those of files.
+    pub network_by: &'static str,
+    pub files_by: &'static str,
 }
 
-/// Measures with particles of the scene's largest body, one thread per rank. Collective.
-pub fn measure(scene: &Scene, constants: &[BodyConstants], comm: &Comm) -> Result<Pace> {
+/// Measures with particles of the scene's largest body, `owned` on each rank of one thread: the mean of all ranks. `network`:
+/// latency and bandwidth, where they are given. Collective.
+pub fn measure(
+    scene: &Scene,
+    constants: &[BodyConstants],
+    (owned, network): (f64, Option<(f64, f64)>),
+    comm: &Comm,
+) -> Result<Pace> {
     match scene.dimension {
-        2 => measure_in::<2>(scene, constants, comm),
-        _ => measure_in::<3>(scene, constants, comm),
+        2 => measure_in::<2>(scene, constants, (owned, network), comm),
+        _ => measure_in::<3>(scene, constants, (owned, network), comm),
     }
 }
 
-fn measure_in<const D: usize>(scene: &Scene, constants: &[BodyConstants], comm: &Comm) -> Result<Pace> {
+fn measure_in<const D: usize>(
+    scene: &Scene,
+    constants: &[BodyConstants],
+    (owned, network): (f64, Option<(f64, f64)>),
+    comm: &Comm,
+) -> Result<Pace> {
     let plan = setup::plan(scene, constants.to_vec());
-    let columns = block(scene, &plan, comm);
-    let spent = || resources::cpu_seconds() - comm.wait_cpu_seconds();
-    let start = spent();
-    let mut stepper = Stepper::<D>::new(comm, columns, plan.settings(scene));
-    let mut dt = stepper.start()?.dt;
-    for _ in 0..STEPS {
-        dt = stepper.step(dt, 0)?.dt;
+    let edge = owned.clamp(PARTICLES[0], PARTICLES[1]).powf(1.0 / D as f64) as u64;
+    let particles = edge.pow(D as u32) as usize;
+    let count = (UPDATES / particles).max(FEWEST_STEPS);
+    // Each rank steps a block of its own, all at once: they share memory and caches as in a run, and nobody waits.
+    let alone = comm.alone();
+    let columns = block(scene, &plan, edge);
+    // The block is matter in open space, whatever holds the scene's.
+    let settings = StepSettings { periods: Periods::OPEN, motions: None, ..plan.settings(scene) };
+    let mut stepper = Stepper::<D>::new(&alone, columns, settings);
+    let told = |failure: Failure| failure.error(|body| &scene.bodies[body].name);
+    let mut best = [f64::INFINITY; PARTS.len()];
+    let (mut phases, mut cpu) = (Phases::default(), resources::cpu_seconds());
+    let mut note = |now: &Phases| {
+        let spent = resources::cpu_seconds() - std::mem::replace(&mut cpu, resources::cpu_seconds());
+        keep_shortest(&mut best, &std::mem::replace(&mut phases, now.clone()), now, spent);
+    };
+    let mut dt = stepper.start().map_err(told)?.dt;
+    note(&stepper.phases);
+    for _ in 0..count {
+        dt = stepper.step(dt, 0).map_err(told)?.dt;
+        stepper.totals();
+        note(&stepper.phases);
     }
-    let mut sums = [(1e6 * (spent() - start)) as i64, stepper.counters.updates as i64];
+    let (entries, _) = stepper.neighbourhood.list_size();
+    let owned = particles as f64;
+    let mut sums = best.map(|seconds| (1e9 * seconds) as i64);
     comm.all_sum(&mut sums);
-    let updates_per_core_second = sums[1] as f64 / (1e-6 * sums[0].max(1) as f64);
-    let particles = EDGE[D - 2].pow(D as u32);
-    Ok(Pace { updates_per_core_second, particles, steps: STEPS, list_builds: stepper.counters.list_builds })
+    let [pairs, update, lists, ordering, totals] = sums.map(|sum| 1e-9 * sum as f64 / comm.size() as f64);
+    let (network, network_by) = match (network, comm.network()) {
+        (Some(given), _) => (given, "as given"),
+        (None, Some(measured)) => (measured, "measured between the first rank and the last"),
+        (None, None) => {
+            (NETWORK, "assumed (under mpirun with two ranks it is measured, or give --latency and --bandwidth)")
+        }
+    };
+    let files = file_speed(comm);
+    let machine = Machine {
+        pair: pairs / entries,
+        update: update / owned,
+        list: lists / entries,
+        ordering: ordering / owned,
+        totals: totals / owned,
+        latency: network.0,
+        bandwidth: network.1,
+        files: files.unwrap_or(FILES),
+    };
+    Ok(Pace {
+        machine,
+        life: count as f64 / (stepper.counters.list_builds - 1).max(1) as f64,
+        particles,
+        steps: count,
+        network_by,
+        files_by: if files.is_some() { "measured in this folder" } else { "assumed" },
+    })
 }
 
-/// This rank's share of the block.
-fn block(scene: &Scene, plan: &setup::Plan, comm: &Comm) -> Columns {
+/// Keeps the shortest time of each part, s: what disturbs a step only makes it longer. Phases are wall time, and share out the
+/// processor time that was `spent`, where others had the core meanwhile. What a step did not have, such as lists, counts for
+/// nothing.
+fn keep_shortest(best: &mut [f64; PARTS.len()], before: &Phases, after: &Phases, spent: f64) {
+    let scale = (spent / (after.total() - before.total()).max(1e-9)).min(1.0);
+    for (best, part) in best.iter_mut().zip(PARTS) {
+        let seconds = |phase: &Phase| scale * (after.seconds[*phase as usize] - before.seconds[*phase as usize]);
+        if part.iter().all(|phase| seconds(phase) > 0.0) {
+            *best = best.min(part.iter().map(seconds).sum());
+        }
+    }
+}
+
+/// bytes/s of a file that rank 0 writes into the folder it stands in, down to the disk; none where it may not. Collective.
+fn file_speed(comm: &Comm) -> Option<f64> {
+    let write = || -> std::io::Result<f64> {
+        let path = format!(".sph-mpi-check-{}.tmp", std::process::id());
+        let start = Instant::now();
+        let written = std::fs::File::create(&path).and_then(|mut file| {
+            file.write_all(&vec![1u8; FILE])?;
+            file.sync_all()
+        });
+        let seconds = start.elapsed().as_secs_f64();
+        std::fs::remove_file(&path)?;
+        written.map(|()| FILE as f64 / seconds)
+    };
+    let mut speed = [if comm.is_root() { write().unwrap_or(0.0) } else { 0.0 }];
+    comm.all_max(&mut speed);
+    (speed[0] > 0.0).then_some(speed[0])
+}
+
+/// The particles of a block with this many along each edge.
+fn block(scene: &Scene, plan: &setup::Plan, edge: u64) -> Columns {
     let number = (0..scene.bodies.len()).max_by_key(|&body| plan.constants[body].particles).unwrap_or(0);
     let (body, constants) = (&scene.bodies[number], &plan.constants[number]);
-    let edge = EDGE[scene.dimension - 2] as u64;
     let spacing = constants.smoothing_length / scene.numerics.eta;
     let speed = MOTION * report::sound_speed(scene, number);
-    let mine = setup::share(edge.pow(scene.dimension as u32), comm);
+    let last = edge.pow(scene.dimension as u32);
     let core = plan.core;
     let mut columns = Columns::new(plan.registry.clone());
-    columns.resize(mine.clone().count());
+    columns.resize(last as usize);
     let internal_energy = plan.registry.find::<f64>("internal_energy");
-    for (i, site) in mine.enumerate() {
+    for (i, site) in (0..last).enumerate() {
         let at = |place: u64| spacing * (place % edge) as f64;
-        let random = |k: u64| speed * (2.0 * uniform(SEED, site, k) - 1.0);
+        let moves = site < last / MOVING;
+        let random = |k: u64| if moves { speed * (2.0 * uniform(SEED, site, k) - 1.0) } else { 0.0 };
         columns.set(core.id, i, ParticleId::new(number, site));
         columns.set(core.position, i, Vec3::new(at(site), at(site / edge), at(site / (edge * edge))));
         columns.set(core.velocity, i, Vec3::new(random(0), random(1), random(2)));

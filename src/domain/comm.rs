@@ -2,6 +2,7 @@
 //! exchange. Minima, maxima and integer sums are the only reductions: no order of arrival can change them.
 
 use std::cell::{Cell, RefCell};
+use std::ffi::{CStr, CString};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
@@ -17,7 +18,14 @@ const PIECE: usize = 1 << 30;
 const FIRST_EXCHANGE_TAG: i32 = 1000;
 const EXCHANGE_TAGS: i32 = 10_000;
 
-/// All ranks of the job. The first one made initialises MPI, and the last one dropped ends it.
+/// Round trips that measure the network.
+const TRIP_TAG: i32 = 99;
+const LONG_MESSAGE: usize = 1 << 20;
+
+/// Characters of a hint's key or value, with a NUL, in any MPI.
+const LONGEST_HINT: usize = 1025;
+
+/// All ranks of the job, or one of them alone.
 pub struct Comm {
     universe: Option<mpi::environment::Universe>,
     raw: ffi::MPI_Comm,
@@ -32,6 +40,8 @@ pub struct Comm {
     pieces: RefCell<Vec<ffi::MPI_Request>>,
     /// What this rank gives to a reduction; kept, as steps do not allocate.
     mine: RefCell<Vec<u64>>,
+    /// Hints for files; null where there are none.
+    file_hints: Cell<ffi::MPI_Info>,
 }
 
 static ABORT_ON_PANIC: AtomicBool = AtomicBool::new(false);
@@ -53,8 +63,18 @@ impl Comm {
                 unsafe { ffi::MPI_Abort(ffi::RSMPI_COMM_WORLD, 101) };
             }));
         }
+        Self::over(raw, (rank, size), Some(universe))
+    }
+
+    /// This rank by itself, for work that others take no part in.
+    pub fn alone(&self) -> Self {
+        // SAFETY: a constant of the MPI library.
+        Self::over(unsafe { ffi::RSMPI_COMM_SELF }, (0, 1), None)
+    }
+
+    fn over(raw: ffi::MPI_Comm, (rank, size): (usize, usize), universe: Option<mpi::environment::Universe>) -> Self {
         Self {
-            universe: Some(universe),
+            universe,
             raw,
             rank,
             size,
@@ -65,6 +85,8 @@ impl Comm {
             sent: Cell::new(0),
             pieces: RefCell::new(Vec::new()),
             mine: RefCell::new(Vec::new()),
+            // SAFETY: a constant of the MPI library.
+            file_hints: Cell::new(unsafe { ffi::RSMPI_INFO_NULL }),
         }
     }
 
@@ -83,6 +105,67 @@ impl Comm {
     /// The communicator as a library written in C wants it.
     pub fn raw(&self) -> ffi::MPI_Comm {
         self.raw
+    }
+
+    /// Hints for files that are opened from now on, as (key, value), in place of those given before. Keys of up to 35
+    /// characters, values of up to 255, none empty and none with a NUL: what every MPI takes.
+    pub fn set_file_hints<'h>(&self, hints: impl IntoIterator<Item = (&'h str, &'h str)>) {
+        self.free_file_hints();
+        let mut hints = hints.into_iter().peekable();
+        if hints.peek().is_none() {
+            return;
+        }
+        let text = |text: &str| CString::new(text).expect("hints hold no NUL");
+        // SAFETY: MPI is initialised, and copies both texts.
+        unsafe {
+            let mut info = ffi::RSMPI_INFO_NULL;
+            ffi::MPI_Info_create(&mut info);
+            for (key, value) in hints {
+                ffi::MPI_Info_set(info, text(key).as_ptr(), text(value).as_ptr());
+            }
+            self.file_hints.set(info);
+        }
+    }
+
+    fn free_file_hints(&self) {
+        // SAFETY: the object was made by `set_file_hints`, and is forgotten here.
+        unsafe {
+            if self.file_hints.get() != ffi::RSMPI_INFO_NULL {
+                ffi::MPI_Info_free(self.file_hints.as_ptr());
+                self.file_hints.set(ffi::RSMPI_INFO_NULL);
+            }
+        }
+    }
+
+    /// The hints as a library written in C wants them; none where none are set.
+    pub fn raw_file_hints(&self) -> Option<ffi::MPI_Info> {
+        let info = self.file_hints.get();
+        // SAFETY: a constant of the MPI library.
+        (info != unsafe { ffi::RSMPI_INFO_NULL }).then_some(info)
+    }
+
+    /// The hints with which MPI has opened a file, as (key, value): those it was given and knows, and its own.
+    ///
+    /// # Safety
+    /// `file` must point to the open `MPI_File` of a library written in C.
+    pub unsafe fn hints_of_file(&self, file: *const std::ffi::c_void) -> Vec<(String, String)> {
+        // SAFETY: `file` is as promised; the buffers are as long as MPI is told, with room for a last NUL.
+        unsafe {
+            let mut info = ffi::RSMPI_INFO_NULL;
+            ffi::MPI_File_get_info(*file.cast::<ffi::MPI_File>(), &mut info);
+            let mut count = 0;
+            ffi::MPI_Info_get_nkeys(info, &mut count);
+            let mut hints = Vec::new();
+            for number in 0..count {
+                let (mut key, mut value, mut found) = ([0; LONGEST_HINT], [0; LONGEST_HINT], 0);
+                ffi::MPI_Info_get_nthkey(info, number, key.as_mut_ptr());
+                ffi::MPI_Info_get(info, key.as_ptr(), LONGEST_HINT as i32 - 1, value.as_mut_ptr(), &mut found);
+                let text = |from: &[std::ffi::c_char]| CStr::from_ptr(from.as_ptr()).to_string_lossy().into_owned();
+                hints.push((text(&key), text(&value)));
+            }
+            ffi::MPI_Info_free(&mut info);
+            hints
+        }
     }
 
     /// Ends the job on all ranks at once.
@@ -156,6 +239,49 @@ impl Comm {
                 self.raw,
             )
         });
+    }
+
+    /// Seconds for a short message, and bytes per second of long ones, between the first rank and the last, which where
+    /// there are several machines stand on different ones: the best of many round trips. None on one rank. Collective.
+    pub fn network(&self) -> Option<(f64, f64)> {
+        if self.size == 1 {
+            return None;
+        }
+        let mut message = vec![0u8; LONG_MESSAGE];
+        let mut trip = |bytes: usize, times: usize| {
+            let trips = (0..times).map(|_| self.round_trip(&mut message[..bytes]));
+            [0.5 * trips.fold(f64::INFINITY, f64::min)]
+        };
+        let (mut short, mut long) = (trip(8, 500), trip(LONG_MESSAGE, 20));
+        self.all_min(&mut short);
+        self.all_min(&mut long);
+        Some((short[0], LONG_MESSAGE as f64 / (long[0] - short[0]).max(1e-9)))
+    }
+
+    /// Seconds of a message from the first rank to the last and back; infinite on others.
+    fn round_trip(&self, message: &mut [u8]) -> f64 {
+        let (last, bytes) = (self.size as i32 - 1, message.len() as i32);
+        // SAFETY: a constant of the MPI library.
+        let kind = unsafe { ffi::RSMPI_UINT8_T };
+        let start = Instant::now();
+        let buffer = message.as_mut_ptr().cast();
+        // SAFETY: the buffer holds as many bytes as are named.
+        let send = |to: i32| unsafe { ffi::MPI_Send(buffer, bytes, kind, to, TRIP_TAG, self.raw) };
+        // SAFETY: the same; the status is filled by MPI.
+        let receive = |from: i32| unsafe {
+            ffi::MPI_Recv(buffer, bytes, kind, from, TRIP_TAG, self.raw, &mut std::mem::zeroed());
+        };
+        if self.rank == 0 {
+            send(last);
+            receive(last);
+            start.elapsed().as_secs_f64()
+        } else {
+            if self.rank == last as usize {
+                receive(0);
+                send(0);
+            }
+            f64::INFINITY
+        }
     }
 
     /// The values of all ranks, in rank order; every rank gives equally many.
@@ -283,6 +409,7 @@ impl Comm {
 
     /// Releases MPI; called last, after every file is closed.
     pub fn finish(mut self) {
+        self.free_file_hints();
         self.universe.take();
     }
 }

@@ -86,6 +86,7 @@ impl<const D: usize> Decomposition<D> {
         self.ghosts = ghosts;
         self.local.build(&self.space.lattice, &self.sites, &incoming);
         self.watch = Watch::build(&self.space.lattice, &self.sites, &extents, comm);
+        self.sites = Vec::new();
     }
 
     /// Brings columns and sites into canonical order.
@@ -100,7 +101,7 @@ impl<const D: usize> Decomposition<D> {
             .map(|(site, i)| (self.space.lattice.place(&site), site, i))
             .collect();
         order.sort_unstable_by_key(|(place, ..)| *place);
-        self.sites.clear();
+        self.sites.reserve_exact(order.len());
         self.sites.extend(order.iter().map(|(_, site, _)| *site));
         let order: Vec<u32> = order.iter().map(|(.., i)| *i).collect();
         columns.reorder(&order, &mut Vec::new());

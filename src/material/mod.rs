@@ -234,7 +234,12 @@ pub fn declare_core(registry: &mut Registry) -> Core {
         position: registry.column(state("position", "m", "Position.", true)),
         velocity: registry.column(state("velocity", "m/s", "Velocity.", true)),
         acceleration: registry.column(state("acceleration", "m/s^2", "Acceleration at the last evaluation.", false)),
-        jerk: registry.column(state("jerk", "m/s^3", "Change of the acceleration over the last step, by its length.", false)),
+        jerk: registry.column(state(
+            "jerk",
+            "m/s^3",
+            "Change of the acceleration over the last step, by its length.",
+            false,
+        )),
         build_position: registry.column(state("build_position", "m", "Position at the last list build.", false)),
         density: registry.integrated(state("density", "kg/m^3", "Bulk density.", true)),
         pressure: registry.column(scratch(

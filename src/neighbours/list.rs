@@ -75,6 +75,11 @@ impl<const D: usize> NeighbourList<D> {
         self.build_with(local, width());
     }
 
+    /// Gives back the memory; the next [`NeighbourList::build`] starts from nothing.
+    pub fn forget(&mut self) {
+        *self = Self::default();
+    }
+
     /// Bytes held, spare capacity included.
     pub fn bytes(&self) -> usize {
         let numbers =

@@ -7,6 +7,8 @@ use crate::error::{Error, Result};
 const TEXT: usize = 1024;
 /// Stands between the parts of an error on its way.
 const SEPARATOR: char = '\u{1f}';
+/// Stands first where [`Error::bad_input`] is set.
+const BAD_INPUT: &str = "bad input";
 
 /// The result that all ranks share: their own value where every rank succeeded, else the error of the lowest rank that
 /// failed. Collective.
@@ -26,7 +28,8 @@ pub fn agree<T>(comm: &Comm, result: Result<T>) -> Result<T> {
 }
 
 fn encode(error: &Error, text: &mut [u8; TEXT]) {
-    let parts = [error.place.as_str(), error.allowed.as_str(), error.what.as_str()];
+    let kind = if error.bad_input { BAD_INPUT } else { "" };
+    let parts = [kind, &error.place, &error.allowed, &error.what];
     let joined = parts.map(|part| part.replace(['\0', SEPARATOR], " ")).join(&SEPARATOR.to_string());
     let length = (0..=TEXT.min(joined.len())).rfind(|&end| joined.is_char_boundary(end)).unwrap_or(0);
     text[..length].copy_from_slice(&joined.as_bytes()[..length]);
@@ -37,8 +40,8 @@ fn decode(text: &[u8]) -> Error {
     let text = String::from_utf8_lossy(&text[..end]);
     let mut parts = text.split(SEPARATOR);
     let mut next = || parts.next().unwrap_or_default().to_string();
-    let (place, allowed, what) = (next(), next(), next());
-    Error { what, place, allowed }
+    let (kind, place, allowed, what) = (next(), next(), next(), next());
+    Error { what, place, allowed, bad_input: kind == BAD_INPUT }
 }
 
 #[cfg(test)]
@@ -47,7 +50,7 @@ mod tests {
 
     #[test]
     fn errors_survive_the_way_and_long_ones_are_cut() {
-        let error = Error::new("no room for 3 m³").at("runs/a").allowed("a disk");
+        let error = Error::new("no room for 3 m³").at("runs/a").allowed("a disk").bad_input();
         let mut text = [0; TEXT];
         encode(&error, &mut text);
         assert_eq!(decode(&text), error);

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::agree;
 use super::collective::{CollectiveFile, Value};
-use super::publish::{cannot, publish, sync_directory_of, temporary};
+use super::publish::{cannot, prepare, publish, sync_directory_of};
 use super::state_hash::{HashSum, hash_columns, state_columns};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
@@ -82,10 +82,21 @@ pub fn write(
     comm: &Comm,
 ) -> Result<()> {
     let path = directory.join(NEWEST);
-    let file = CollectiveFile::create(&temporary(&path), comm)?;
+    prepare(&path, comm, |file| fill(file, columns, id, meta, comm))?;
+    agree(comm, if comm.is_root() { keep_previous(directory) } else { Ok(()) })?;
+    publish(&path, comm)
+}
+
+fn fill(
+    file: &CollectiveFile,
+    columns: &Columns,
+    id: Column<ParticleId>,
+    meta: &CheckpointMeta,
+    comm: &Comm,
+) -> Result<()> {
     let (_, particles) = file.places(columns.len());
     let header = Header { dimension: columns.registry.dimension, particles: particles as u64, meta: meta.clone() };
-    write_header(&file, &header, comm)?;
+    write_header(file, &header, comm)?;
     file.group("/columns")?;
     let which = state_columns(columns);
     for (&index, sum) in which.iter().zip(checksums(columns, id, &which, comm)) {
@@ -98,9 +109,7 @@ pub fn write(
         file.attribute(&at, "unit", Value::Text(entry.info.unit))?;
         file.attribute(&at, "checksum", Value::Text(&sum.to_string()))?;
     }
-    file.close()?;
-    agree(comm, if comm.is_root() { keep_previous(directory) } else { Ok(()) })?;
-    publish(&path, comm)
+    Ok(())
 }
 
 /// Ranks may differ in what they put there, in wall times say: rank 0's text counts.
@@ -153,7 +162,7 @@ pub fn read_newest(directory: &Path, registry: &Registry, comm: &Comm, scene: &s
             }
         }
     }
-    refused.map_or(Ok(None), Err)
+    refused.map_or(Ok(None), |error| Err(error.bad_input()))
 }
 
 /// As rank 0 sees it: file systems may tell ranks different things for a while.
@@ -175,7 +184,8 @@ fn read_one(
     let header = read_header(&file).map_err(not_whole)?;
     if header.meta.scene_hash != scene {
         let error = Error::new("the checkpoint belongs to another scene").at(&place);
-        return Err(Refusal::OtherScene(error.allowed("the scene it was written for, or another directory (--out)")));
+        let error = error.allowed("the scene it was written for, or another directory (--out)");
+        return Err(Refusal::OtherScene(error.bad_input()));
     }
     let columns = read_columns(&file, &header, registry, comm).map_err(not_whole)?;
     file.close().map_err(not_whole)?;

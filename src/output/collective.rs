@@ -7,21 +7,35 @@
 use std::cell::Cell;
 use std::ops::Range;
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use hdf5::types::{FixedAscii, VarLenUnicode};
 use hdf5::{Dataset, Datatype, H5Type, Location};
 use hdf5_sys::h5::{herr_t, hsize_t};
 use hdf5_sys::h5d::{H5Dread, H5Dwrite};
+use hdf5_sys::h5f::H5Fget_vfd_handle;
 use hdf5_sys::h5i::hid_t;
 use hdf5_sys::h5p::{H5FD_mpio_xfer_t, H5P_CLS_DATASET_XFER, H5Pclose, H5Pcreate, H5Pset_dxpl_mpio};
 use hdf5_sys::h5s::{H5S_seloper_t, H5Sclose, H5Screate_simple, H5Sselect_hyperslab, H5Sselect_none};
 
 use super::agree;
+use super::moment::{self, Moment};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 
 /// Bytes a rank moves in one transfer at most: MPI counts are 32-bit.
 const PIECE: usize = 1 << 30;
+/// Whether HDF5 could not let go of a file that it failed to write.
+static STUCK: AtomicBool = AtomicBool::new(false);
+
+/// Whether some rank holds a file that HDF5 cannot close. HDF5 would try once more while MPI ends, and crash: such a job ends
+/// by [`Comm::abort`]. Collective.
+pub fn is_stuck(comm: &Comm) -> bool {
+    let mut stuck = [STUCK.load(Ordering::Relaxed) as i64];
+    comm.all_sum(&mut stuck);
+    stuck[0] > 0
+}
+
 /// Rows per chunk of a compressed dataset.
 const CHUNK_ROWS: usize = 1 << 14;
 
@@ -69,15 +83,31 @@ impl<'a> CollectiveFile<'a> {
     ) -> Result<Self> {
         let mut builder = hdf5::File::with_options();
         // From version 1.8 on HDF5 guards its own structures by checksums, so that damage shows as an error.
-        builder.with_fapl(|access| access.mpio(comm.raw(), None).libver_v18());
+        builder.with_fapl(|access| access.mpio(comm.raw(), comm.raw_file_hints()).libver_v18());
         let place = path.display().to_string();
         let file = agree(comm, act(&builder).map_err(|e| failure(verb, &place, e)))?;
-        Ok(Self { file, comm, place, collective: Cell::new(true) })
+        let opened = Self { file, comm, place, collective: Cell::new(true) };
+        if comm.raw_file_hints().is_some() {
+            // Asked on all ranks, even where one alone logs.
+            let hints = opened.hints()?;
+            tracing::debug!("{} is open with the hints {hints:?}", opened.place);
+        }
+        Ok(opened)
     }
 
     /// Whether every transfer so far was collective on every rank, as HDF5 reports it.
     pub fn was_collective(&self) -> bool {
         self.collective.get()
+    }
+
+    /// The hints with which MPI has opened the file, as (key, value).
+    pub fn hints(&self) -> Result<Vec<(String, String)>> {
+        let mut handle = std::ptr::null_mut();
+        // H5P_DEFAULT is 0.
+        let found = hdf5::h5call!(H5Fget_vfd_handle(self.file.id(), 0, &mut handle));
+        self.agree("ask for the hints of", "/", found)?;
+        // SAFETY: the file was opened by the driver for MPI, whose handle is a pointer to its `MPI_File`.
+        Ok(unsafe { self.comm.hints_of_file(handle) })
     }
 
     /// Creates a group and those above it.
@@ -116,6 +146,7 @@ impl<'a> CollectiveFile<'a> {
         let (start, total) = self.places(values.len() / width);
         let dataset = self.agree("create the dataset", path, self.create_dataset::<T>(path, total, width, gzip))?;
         let rows = start..start + values.len() / width;
+        moment::reach(Moment::Writing);
         self.transfer("write", &dataset, width, rows, |piece, spaces, transfer| {
             let at = values[piece.start * width..].as_ptr();
             // SAFETY: the memory space describes the piece's numbers, which lie in `values` from its start on.
@@ -225,9 +256,11 @@ impl<'a> CollectiveFile<'a> {
 
     /// Brings everything to the file system and closes the file.
     pub fn close(self) -> Result<()> {
-        self.agree("flush", "/", self.file.flush())?;
+        let flushed = self.agree("flush", "/", self.file.flush());
         let (comm, place) = (self.comm, self.place);
-        agree(comm, self.file.close().map_err(|e| failure("close", &place, e)))
+        let closed = self.file.close().map_err(|e| failure("close", &place, e));
+        STUCK.fetch_or(closed.is_err(), Ordering::Relaxed);
+        flushed.and(agree(comm, closed))
     }
 
     fn agree<T>(&self, verb: &str, object: &str, result: hdf5::Result<T>) -> Result<T> {

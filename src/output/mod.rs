@@ -6,6 +6,7 @@ pub mod checkpoint;
 pub mod collective;
 pub mod figures;
 pub mod history;
+pub mod moment;
 pub mod publish;
 pub mod snapshot;
 pub mod state_hash;

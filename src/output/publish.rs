@@ -4,6 +4,8 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
 use super::agree;
+use super::collective::CollectiveFile;
+use super::moment::{self, Moment};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 
@@ -14,8 +16,25 @@ pub fn temporary(path: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
+/// Lets `fill` write the file that [`publish`] is to name `path`; where it fails, nothing of that file stays. Collective.
+pub fn prepare<T>(path: &Path, comm: &Comm, fill: impl FnOnce(&CollectiveFile) -> Result<T>) -> Result<T> {
+    let write = |file: CollectiveFile| {
+        let filled = fill(&file);
+        let closed = file.close();
+        filled.and_then(|value| closed.map(|()| value))
+    };
+    CollectiveFile::create(&temporary(path), comm).and_then(write).map_err(|error| {
+        if comm.is_root() {
+            // On a full disk the room is wanted; where not even this works, the error to be told is the first one.
+            let _ = fs::remove_file(temporary(path));
+        }
+        error.allowed("room on the disk, and no lower limit on the size of a file")
+    })
+}
+
 /// Gives the file written as [`temporary`] its name, once it is on disk. Rank 0 acts; all ranks return the same.
 pub fn publish(path: &Path, comm: &Comm) -> Result<()> {
+    moment::reach(Moment::Written);
     agree(comm, if comm.is_root() { rename(path) } else { Ok(()) })
 }
 

@@ -9,7 +9,7 @@ use serde_json::{Value as Json, json};
 
 use super::agree;
 use super::collective::{CollectiveFile, Value};
-use super::publish::{publish, replace_text, temporary};
+use super::publish::{prepare, publish, replace_text};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::material::BodyConstants;
@@ -52,12 +52,12 @@ impl Snapshot<'_> {
     /// Writes the file; it appears under its name when it is whole. Returns whether every write was collective, as HDF5
     /// reports it. Collective.
     pub fn write(&self, path: &Path, comm: &Comm) -> Result<bool> {
-        let file = CollectiveFile::create(&temporary(path), comm)?;
-        self.write_geometry(&file)?;
-        self.write_fields(&file)?;
-        self.write_run(&file)?;
-        let collective = file.was_collective();
-        file.close()?;
+        let collective = prepare(path, comm, |file| {
+            self.write_geometry(file)?;
+            self.write_fields(file)?;
+            self.write_run(file)?;
+            Ok(file.was_collective())
+        })?;
         publish(path, comm)?;
         Ok(collective)
     }

@@ -300,7 +300,9 @@ impl Columns {
             for &old in order {
                 scratch.extend_from_slice(&column[old as usize * width..(old as usize + 1) * width]);
             }
-            std::mem::swap(column, scratch);
+            // Back into its own buffer: those of wide columns would otherwise end up holding narrow ones.
+            column.clear();
+            column.extend_from_slice(scratch);
         }
         self.len = order.len();
     }

@@ -75,6 +75,15 @@ impl<const D: usize> Local<D> {
         self.slot_of_incoming.len()
     }
 
+    /// Gives back what only the making of lists reads.
+    pub fn forget_places(&mut self) {
+        self.places = Vec::new();
+        self.position = std::array::from_fn(|_| Vec::new());
+        self.radius_squared = Vec::new();
+        self.is_ghost = Vec::new();
+        self.arrivals = Vec::new();
+    }
+
     /// Bytes held, spare capacity included.
     pub fn bytes(&self) -> usize {
         let words = self.position.iter().map(Vec::capacity).sum::<usize>() + self.radius_squared.capacity();

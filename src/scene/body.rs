@@ -162,6 +162,11 @@ impl Reader<'_> {
             blast: self.blast(raw)?,
         };
         let body = Body { motion: self.motion(raw, body.velocity)?, ..body };
+        let mass = body.mass();
+        if !(mass > 0.0 && mass.is_finite()) {
+            let what = format!("the mass of the body comes to {mass} kg");
+            return Err(self.error("shape", what).allowed("sizes within reach of numbers"));
+        }
         let sites = body.lattice_sites();
         if sites <= COUNTED && body.count(0..sites) == 0 {
             let what = format!("no particle fits into the body at a spacing of {}", Length::new(body.lattice.spacing));

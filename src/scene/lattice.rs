@@ -68,6 +68,11 @@ impl Lattice {
     /// The lattice over a box with the given middle and half extents (body frame, m; the last is 0 in 2D). Along axes with
     /// flat faces rows are moved apart or together by little, so that a whole number of them fills the box.
     pub fn covering(kind: LatticeKind, spacing: f64, rotation: Rotation, bounds: Bounds, faces: Faces) -> Result<Self> {
+        if !(spacing > 0.0 && spacing.is_finite()) {
+            return Err(
+                Error::new(format!("the spacing comes to {spacing} m")).allowed("sizes within reach of numbers")
+            );
+        }
         let dimension = bounds.dimension;
         let mut counts = [1; 3];
         let mut steps = kind.steps().map(|step| step * spacing);
@@ -274,6 +279,6 @@ mod tests {
     #[test]
     fn too_fine_a_lattice_is_refused() {
         let bounds = Bounds { middle: [0.0; 3], half: [1e5; 3], dimension: 3 };
-        assert!(Lattice::covering(LatticeKind::Cubic, 1.0, IDENTITY, bounds).is_err());
+        assert!(Lattice::covering(LatticeKind::Cubic, 1.0, IDENTITY, bounds, Faces::default()).is_err());
     }
 }

@@ -20,6 +20,7 @@ mod tests;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
+use toml::{Table, Value};
 
 use crate::error::{Error, Result};
 use crate::material::{MaterialTable, Records};
@@ -83,6 +84,15 @@ impl Scene {
         self.understood.clone()
     }
 
+    /// The scene as understood, without what a restart may change: hints for files.
+    pub fn identity(&self) -> String {
+        let mut table: toml::Table = self.understood.parse().unwrap_or_default();
+        if let Some(output) = table.get_mut("output").and_then(toml::Value::as_table_mut) {
+            output.remove("mpi_io_hints");
+        }
+        table.to_string()
+    }
+
     /// The file the scene was read from.
     pub fn path(&self) -> &str {
         &self.source.path
@@ -93,11 +103,21 @@ impl Scene {
         materials::complete(&mut document)?;
         let mut raw = keys::deserialize(&document)?;
         let mut scene = validate(&document, &mut raw)?;
-        scene.understood = toml::to_string(&raw)
-            .map_err(|e| Error::new(format!("the scene cannot be printed: {e}")).at(&source.path))?;
+        scene.understood =
+            print(&raw).map_err(|e| Error::new(format!("the scene cannot be printed: {e}")).at(&source.path))?;
         scene.source = source.clone();
         Ok(scene)
     }
+}
+
+/// The scene as understood. What is off is not printed, except viscosity, which is on unless a material says otherwise.
+fn print(raw: &RawScene) -> std::result::Result<String, toml::ser::Error> {
+    let mut tree = Table::try_from(raw)?;
+    let materials = tree.get_mut("material").and_then(Value::as_table_mut).into_iter().flatten();
+    for material in materials.filter(|_| raw.numerics.viscosity).filter_map(|(_, material)| material.as_table_mut()) {
+        material.entry("viscosity").or_insert(Value::Boolean(false));
+    }
+    toml::to_string(&tree)
 }
 
 /// Support of the kernels over the smoothing length.
@@ -207,7 +227,10 @@ fn bodies(
     let read = |number: usize, body: &mut raw::RawBody, target_spacing: Option<f64>| {
         let placed = impact.is_some_and(|i| i.projectile == number);
         let path = format!("body.{number}");
-        let material = names.iter().position(|n| *n == body.material).expect("every material of a body is completed");
+        // A date is text to one reader of TOML and not to the other.
+        let material = names.iter().position(|n| *n == body.material);
+        let what = || document.error(&format!("{path}.material"), format!("{} names no material", body.material));
+        let material = material.ok_or_else(what)?;
         body::Reader { document, path, dimension, periods, target_spacing, placed }
             .read(body, (material, &materials[material]))
     };

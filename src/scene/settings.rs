@@ -1,6 +1,8 @@
 //! The tables that say how long to run, what to write, and what to search: `[run]`, `[output]`, `[threshold]`, each raw
 //! and validated.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::raw::word_or;
@@ -98,6 +100,8 @@ pub struct RawOutput {
     compression: u8,
     history_every: u64,
     picture: bool,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    mpi_io_hints: BTreeMap<String, toml::Value>,
 }
 
 impl Default for RawOutput {
@@ -109,6 +113,7 @@ impl Default for RawOutput {
             compression: 0,
             history_every: 10,
             picture: true,
+            mpi_io_hints: BTreeMap::new(),
         }
     }
 }
@@ -134,6 +139,8 @@ pub struct Output {
     pub history_every: u64,
     /// Whether to draw the outcome.
     pub picture: bool,
+    /// What MPI is told when it opens a file. They may change between restarts: nothing else depends on them.
+    pub mpi_io_hints: BTreeMap<String, String>,
 }
 
 impl RawOutput {
@@ -161,10 +168,34 @@ impl RawOutput {
         if self.history_every == 0 {
             return Err(document.error("output.history_every", "0 steps between lines").allowed("1 or more"));
         }
+        let mpi_io_hints = self.hints(document)?;
         let Self { precision, compression, history_every, picture, .. } = *self;
-        Ok(Output { snapshot_interval, precision, compression, history_every, picture })
+        Ok(Output { snapshot_interval, precision, compression, history_every, picture, mpi_io_hints })
+    }
+
+    /// Hints as MPI takes them: short texts. Which of them it knows is up to the MPI and the file system.
+    fn hints(&self, document: &Document) -> Result<BTreeMap<String, String>> {
+        let hint = |(key, value): (&String, &toml::Value)| {
+            let text = match value {
+                toml::Value::String(text) => text.clone(),
+                toml::Value::Integer(_) | toml::Value::Boolean(_) => value.to_string(),
+                _ => String::new(),
+            };
+            let fits = |text: &str, most| (1..=most).contains(&text.len()) && !text.contains('\0');
+            if fits(key, LONGEST_HINT_KEY) && fits(&text, LONGEST_HINT) {
+                return Ok((key.clone(), text));
+            }
+            let what = format!("{value} is no hint for MPI");
+            let allowed = format!("a text of 1 to {LONGEST_HINT} characters, under a key of 1 to {LONGEST_HINT_KEY}");
+            Err(document.error(&format!("output.mpi_io_hints.{key}"), what).allowed(allowed))
+        };
+        self.mpi_io_hints.iter().map(hint).collect()
     }
 }
+
+/// What OpenMPI takes, which takes the least.
+const LONGEST_HINT_KEY: usize = 35;
+const LONGEST_HINT: usize = 255;
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -1,11 +1,31 @@
-//! Faults on demand, for tests: `SPH_MPI_FAULT=panic:RANK:STEP` panics on that rank at that step, `pool:RANK:STEP` does so on
-//! the other threads of its pool, `kill:RANK:STEP` ends the process there without a word, `stop:RANK:STEP` behaves as if SIGTERM had come. Costs one comparison per step.
+//! Faults on demand, for tests: `SPH_MPI_FAULT=KIND:RANK:STEP` strikes on that rank in that step. Costs one comparison per step.
+//!
+//! - `panic` panics there, `pool` on the other threads of the rank's pool, `kill` ends the process without a word;
+//! - `stop` behaves as if SIGTERM had come;
+//! - `nan` makes a rate of one particle no number;
+//! - `full` lets no file of the rank grow any more, `full_in_checkpoint` asks for a checkpoint at that moment;
+//! - `kill_in_write`, `term_in_write` ask for a checkpoint and raise SIGKILL or SIGTERM amid the data of the next file, and
+//!   `kill_before_rename` when that file is whole and has not got its name yet.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::material::{Core, Local, MaterialEffect, Setup};
+use crate::output::moment::{self, Moment};
+use crate::particles::{Integrated, Registry};
+
+/// Files cannot grow beyond this many bytes where the disk is to seem full: less than any checkpoint, more than a log.
+const FULL: libc::rlim_t = 1 << 16;
 
 /// What is to happen on this rank, and when.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Fault {
     kind: Option<Kind>,
+    /// Whether the fault is this rank's.
+    mine: bool,
     step: u64,
+    /// Set when a rate is to become no number.
+    poisoned: Arc<AtomicBool>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,44 +34,110 @@ enum Kind {
     Pool,
     Kill,
     Stop,
+    Nan,
+    Full,
+    FullInCheckpoint,
+    KillInWrite,
+    TermInWrite,
+    KillBeforeRename,
+}
+
+/// What a fault wants of the run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Asks {
+    Nothing,
+    Checkpoint,
+    Stop,
 }
 
 impl Fault {
-    /// The fault that the environment asks of this rank.
+    /// The fault that the environment asks for, as this rank sees it.
     pub fn of_rank(rank: usize) -> Self {
-        let text = std::env::var("SPH_MPI_FAULT").unwrap_or_default();
-        let mut parts = text.split(':');
-        let kind = match parts.next() {
-            Some("panic") => Kind::Panic,
-            Some("pool") => Kind::Pool,
-            Some("kill") => Kind::Kill,
-            Some("stop") => Kind::Stop,
-            _ => return Self::default(),
-        };
-        let mut number = || parts.next().and_then(|n| n.parse::<u64>().ok());
-        match (number(), number()) {
-            (Some(r), Some(step)) if r == rank as u64 => Self { kind: Some(kind), step },
-            _ => Self::default(),
-        }
+        Self::parse(&std::env::var("SPH_MPI_FAULT").unwrap_or_default(), rank).unwrap_or_default()
     }
 
-    /// Strikes when its step has come; true where a stop is asked for.
-    pub fn strike(&self, step: u64) -> bool {
-        if self.kind.is_none() || step != self.step {
-            return false;
-        }
-        match self.kind {
-            Some(Kind::Panic) => panic!("a panic was asked for at step {step}"),
-            Some(Kind::Pool) => {
+    fn parse(text: &str, rank: usize) -> Option<Self> {
+        let mut parts = text.split(':');
+        let kind = match parts.next()? {
+            "panic" => Kind::Panic,
+            "pool" => Kind::Pool,
+            "kill" => Kind::Kill,
+            "stop" => Kind::Stop,
+            "nan" => Kind::Nan,
+            "full" => Kind::Full,
+            "full_in_checkpoint" => Kind::FullInCheckpoint,
+            "kill_in_write" => Kind::KillInWrite,
+            "term_in_write" => Kind::TermInWrite,
+            "kill_before_rename" => Kind::KillBeforeRename,
+            _ => return None,
+        };
+        let (on, step) = (parts.next()?.parse::<usize>().ok()?, parts.next()?.parse().ok()?);
+        Some(Self { kind: Some(kind), mine: on == rank, step, ..Self::default() })
+    }
+
+    /// The effect by which a rate becomes no number; none where nothing of the kind is asked for. On all ranks alike.
+    pub fn effect(&self, core: &Core) -> Option<Box<dyn MaterialEffect>> {
+        let poison = || Poison { density: core.density, poisoned: Arc::clone(&self.poisoned) };
+        (self.kind == Some(Kind::Nan)).then(|| Box::new(poison()) as Box<dyn MaterialEffect>)
+    }
+
+    /// Strikes when its step has come.
+    pub fn strike(&self, step: u64) -> Asks {
+        let Some(kind) = self.kind.filter(|_| self.mine && step == self.step) else { return Asks::Nothing };
+        match kind {
+            Kind::Panic => panic!("a panic was asked for at step {step}"),
+            Kind::Pool => {
                 rayon::broadcast(|thread| assert_eq!(thread.index(), 0, "a panic was asked for at step {step}"));
-                false
             }
-            Some(Kind::Kill) => {
-                // SAFETY: ends this process.
-                unsafe { libc::raise(libc::SIGKILL) };
-                false
+            // SAFETY: ends this process.
+            Kind::Kill => drop(unsafe { libc::raise(libc::SIGKILL) }),
+            Kind::Stop => return Asks::Stop,
+            Kind::Nan => self.poisoned.store(true, Ordering::Relaxed),
+            Kind::Full | Kind::FullInCheckpoint => {
+                let limit = libc::rlimit { rlim_cur: FULL, rlim_max: libc::RLIM_INFINITY };
+                // SAFETY: reads the structure that it is given.
+                unsafe { libc::setrlimit(libc::RLIMIT_FSIZE, &limit) };
             }
-            _ => true,
+            Kind::KillInWrite => moment::arm(Moment::Writing, libc::SIGKILL),
+            Kind::TermInWrite => moment::arm(Moment::Writing, libc::SIGTERM),
+            Kind::KillBeforeRename => moment::arm(Moment::Written, libc::SIGKILL),
         }
+        let elsewhere = [Kind::Panic, Kind::Pool, Kind::Kill, Kind::Stop, Kind::Nan, Kind::Full];
+        if elsewhere.contains(&kind) { Asks::Nothing } else { Asks::Checkpoint }
+    }
+}
+
+/// Gives the first particle of a rank a rate of density that is no number, from the moment on at which it is told to.
+struct Poison {
+    density: Integrated<f64>,
+    poisoned: Arc<AtomicBool>,
+}
+
+impl MaterialEffect for Poison {
+    fn declare(_setup: &Setup, _registry: &mut Registry, _core: &Core) -> Option<Self> {
+        None
+    }
+
+    fn name(&self) -> &'static str {
+        "fault"
+    }
+
+    fn rates(&self, local: &Local) {
+        if local.chunk.range.start == 0 && self.poisoned.load(Ordering::Relaxed) {
+            local.new_rate(self.density).set(0, f64::NAN);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fault_strikes_on_its_rank_in_its_step() {
+        let fault = Fault::parse("stop:1:7", 1).unwrap();
+        assert_eq!((fault.strike(6), fault.strike(7), fault.strike(8)), (Asks::Nothing, Asks::Stop, Asks::Nothing));
+        assert_eq!(Fault::parse("stop:1:7", 0).unwrap().strike(7), Asks::Nothing);
+        assert!(Fault::parse("nonsense:1:7", 0).is_none() && Fault::parse("stop:1", 0).is_none());
     }
 }

@@ -27,6 +27,7 @@ impl<const D: usize> Run<'_, D> {
 
     pub(super) fn evaluate_outcome(&mut self) -> Evaluation {
         let start = Instant::now();
+        self.stepper.rest();
         let core = self.stepper.settings.core;
         let particles = outcome::particles(&self.stepper.columns, &core, &self.stepper.settings.constants);
         let target = self.scene.impact.as_ref().map_or(0, |impact| impact.target);
@@ -83,7 +84,7 @@ impl<const D: usize> Run<'_, D> {
             },
         };
         let collective = written.write(&self.options.directory.join(&name), self.comm)?;
-        if !collective {
+        if !collective && self.comm.is_root() {
             tracing::warn!("{name} was not written collectively");
         }
         let series = self.options.directory.join("snapshots.vtkhdf.series");
@@ -135,5 +136,5 @@ impl<const D: usize> Run<'_, D> {
 
 /// Identifies what was asked for: the scene as understood, without what may change between restarts.
 pub fn scene_hash(scene: &Scene) -> String {
-    blake3::hash(scene.to_toml().as_bytes()).to_hex().to_string()
+    blake3::hash(scene.identity().as_bytes()).to_hex().to_string()
 }

@@ -1,5 +1,5 @@
 //! What a rank will hold in memory, known before anything is allocated: sizes per particle are exact, the numbers of
-//! neighbours and ghosts are those of an even medium.
+//! neighbours are those of even balls, and the numbers of ghosts those of an even cube.
 
 use super::resources;
 use super::setup::Plan;
@@ -18,6 +18,10 @@ use crate::scene::Scene;
 const LOOSE: usize =
     size_of::<outcome::Particle>() + 4 * size_of::<outcome::Piece>() + 2 * (size_of::<Source>() + size_of::<Target>());
 
+/// Bytes that libraries take on a rank once files and messages are used, over what they took at the start: about this much
+/// with OpenMPI and HDF5, as runs of few particles show.
+const LIBRARIES: f64 = 1e7;
+
 /// Memory of one of equally loaded ranks.
 #[derive(Debug, Clone)]
 pub struct Footprint {
@@ -27,10 +31,16 @@ pub struct Footprint {
     pub owned: f64,
     /// Ghosts of a rank.
     pub ghosts: f64,
+    /// Ranks that send them.
+    pub peers: f64,
+    /// Ghosts to a depth of one list radius, over the cells of a list radius they lie in.
+    pub ghosts_per_cell: f64,
     /// Mean neighbours within the list radius.
     pub neighbours: f64,
+    /// Entries of a particle's row in the list: rows end anywhere in their last group of lanes.
+    pub row: f64,
     /// What, and its bytes on a rank.
-    pub parts: [(&'static str, f64); 6],
+    pub parts: [(&'static str, f64); 7],
     /// Numbers that a ghost record sends.
     pub layout: Layout,
 }
@@ -42,10 +52,12 @@ impl Footprint {
         let owned = particles as f64 / ranks as f64;
         // In spacings: h = eta (m / rho)^(1/d), and there is one particle per spacing^d.
         let reach = SUPPORT * (1.0 + scene.numerics.skin) * scene.numerics.eta;
-        let ghosts = ghosts(particles as f64, ranks, dimension, reach);
-        let neighbours = ball(reach, dimension) - 1.0;
+        let cuts = cuts(ranks, dimension);
+        let ghosts = ghosts(particles as f64, &cuts, reach);
+        let total =
+            plan.constants.iter().map(|body| body.particles as f64 * neighbours(body.particles, reach, dimension));
+        let neighbours = total.sum::<f64>() / particles as f64;
         let layout = Layout { dimension, terms: plan.terms };
-        // A row ends anywhere in its last group of lanes.
         let row = neighbours + 0.5 * (LANES - 1) as f64;
         let place = size_of::<Place>();
         let (site, slot) = (if dimension == 2 { size_of::<Site<2>>() } else { size_of::<Site<3>>() }, size_of::<u32>());
@@ -53,15 +65,23 @@ impl Footprint {
         let local = place + 8 * dimension + 8 + 1 + slot;
         // The sites, and the table that sorts them at each build.
         let order = site + (place + site + 2 * slot);
+        // Records and lists make room for the search for neighbours and for the outcome, which need more than that or nothing.
+        let records = (owned + ghosts) * 8.0 * layout.stride() as f64;
+        let list = owned * (4.0 * row + 8.0 + 4.0);
+        let search = ((owned + ghosts) * local as f64 + list).max(owned * order as f64);
+        let outcome = scene.impact.map_or(0.0, |_| owned * LOOSE as f64);
+        let beyond = |bytes: f64| (bytes - records - list).max(0.0);
         let parts = [
             ("columns", owned * plan.registry.bytes_per_particle() as f64),
-            ("pair records", (owned + ghosts) * 8.0 * layout.stride() as f64),
-            ("neighbour list", owned * (4.0 * row + 8.0 + 4.0)),
-            ("local set and order", (owned + ghosts) * local as f64 + owned * order as f64),
-            ("outcome", scene.impact.map_or(0.0, |_| owned * LOOSE as f64)),
+            ("pair records", records),
+            ("neighbour list", list),
+            ("search for neighbours, beyond these", beyond(search)),
+            ("outcome, beyond these", beyond(outcome.max(search)) - beyond(search)),
             ("ghost messages", 2.0 * ghosts * 8.0 * layout.words() as f64),
+            ("libraries", LIBRARIES),
         ];
-        Self { particles, owned, ghosts, neighbours, parts, layout }
+        let ghosts_per_cell = reach.powi(dimension as i32);
+        Self { particles, owned, ghosts, peers: peers(&cuts), ghosts_per_cell, neighbours, row, parts, layout }
     }
 
     /// Bytes of a rank.
@@ -93,7 +113,8 @@ impl Footprint {
                     self.particles,
                     gigabytes(available as f64)
                 );
-                Err(Error::new(what).allowed("fewer particles, or more machines; --check shows what takes the memory"))
+                let allowed = "fewer particles, or more machines; --check shows what takes the memory";
+                Err(Error::new(what).allowed(allowed).bad_input())
             }
         }
     }
@@ -105,10 +126,17 @@ fn ball(radius: f64, dimension: usize) -> f64 {
     if dimension == 2 { PI * radius * radius } else { 4.0 / 3.0 * PI * radius * radius * radius }
 }
 
-/// Particles within `reach` (in spacings) of one of `ranks` parts of a cube: it is cut across its longest side until there are
-/// as many parts, and the outside of the cube has no ghosts.
-fn ghosts(particles: f64, ranks: usize, dimension: usize, reach: f64) -> f64 {
-    let side = particles.powf(1.0 / dimension as f64);
+/// Mean number of particles within `reach` (in spacings) of those of a ball of `particles`: at the surface of radius R a part
+/// of the neighbours is missing, to first order 9/16 reach/R of them in the mean, or 4/(3 pi) reach/R in two dimensions.
+fn neighbours(particles: u64, reach: f64, dimension: usize) -> f64 {
+    let radius = (particles as f64 / ball(1.0, dimension)).powf(1.0 / dimension as f64);
+    let missing = if dimension == 2 { 4.0 / (3.0 * std::f64::consts::PI) } else { 9.0 / 16.0 };
+    let around = ball(reach, dimension) * (1.0 - missing * reach / radius);
+    around.clamp(1.0, particles as f64) - 1.0
+}
+
+/// Into how many parts each side of a cube is cut for so many ranks: across the longest side, over and over.
+fn cuts(ranks: usize, dimension: usize) -> Vec<f64> {
     let mut cuts = vec![1.0f64; dimension];
     let mut parts = ranks as f64;
     while parts > 1.0 {
@@ -116,9 +144,20 @@ fn ghosts(particles: f64, ranks: usize, dimension: usize, reach: f64) -> f64 {
         cuts[longest] *= parts.min(2.0);
         parts /= 2.0;
     }
+    cuts
+}
+
+/// Particles within `reach` (in spacings) of one part of a cube; the outside of the cube has no ghosts.
+fn ghosts(particles: f64, cuts: &[f64], reach: f64) -> f64 {
+    let side = particles.powf(1.0 / cuts.len() as f64);
     let own: f64 = cuts.iter().map(|cut| side / cut).product();
     let around: f64 = cuts.iter().map(|cut| side / cut + 2.0 * reach * (1.0 - 1.0 / cut)).product();
     (around - own).min(particles - own)
+}
+
+/// Parts that touch one of these parts, in the mean: along each side two neighbours, but for the ends.
+fn peers(cuts: &[f64]) -> f64 {
+    cuts.iter().map(|cut| 3.0 - 2.0 / cut).product::<f64>() - 1.0
 }
 
 #[cfg(test)]
@@ -127,6 +166,7 @@ mod tests {
 
     #[test]
     fn ghosts_of_halves_and_of_parts_inside() {
+        let ghosts = |particles, ranks, dimension, reach| ghosts(particles, &cuts(ranks, dimension), reach);
         assert_eq!(ghosts(1000.0, 1, 3, 2.0), 0.0);
         // A cube of 10 in halves: one layer of 2 on one of two faces of each.
         assert!((ghosts(1000.0, 2, 3, 2.0) - 2.0 * 100.0).abs() < 1e-9);
@@ -134,6 +174,40 @@ mod tests {
         assert!((ghosts(400.0, 4, 2, 2.0) - (12.0 * 12.0 - 100.0)).abs() < 1e-9);
         // Never more than there are.
         assert!(ghosts(1000.0, 1000, 3, 20.0) <= 999.0);
+    }
+
+    #[test]
+    fn parts_touch_26_others_at_most() {
+        let peers = |ranks, dimension| peers(&cuts(ranks, dimension));
+        assert_eq!((peers(1, 3), peers(2, 3), peers(4, 3), peers(8, 3)), (0.0, 1.0, 3.0, 7.0));
+        assert_eq!(peers(4, 2), 3.0);
+        assert!(peers(1 << 30, 3) > 25.9 && peers(1 << 30, 3) < 26.0);
+    }
+
+    /// Pairs of sites of a cubic lattice in a ball, counted.
+    #[test]
+    fn neighbours_are_missing_at_the_surface() {
+        for (radius, dimension) in [(9i32, 3), (30, 2)] {
+            let depth = if dimension == 3 { radius } else { 0 };
+            let cube = |n: i32| (-n..=n).flat_map(move |x| (-n..=n).map(move |y| (x, y)));
+            let ball = |n: i32, deep: i32, r2: f64| -> Vec<(i32, i32, i32)> {
+                let all = cube(n).flat_map(|(x, y)| (-deep..=deep).map(move |z| (x, y, z)));
+                all.filter(|(x, y, z)| f64::from(x * x + y * y + z * z) < r2).collect()
+            };
+            let reach = 2.64f64;
+            let sites = ball(radius, depth, f64::from(radius * radius));
+            let near = ball(3, depth.min(3), reach * reach);
+            let inside = |x: i32, y: i32, z: i32| x * x + y * y + z * z < radius * radius;
+            let counted: usize =
+                sites.iter().map(|s| near.iter().filter(|d| inside(s.0 + d.0, s.1 + d.1, s.2 + d.2)).count() - 1).sum();
+            let mean = counted as f64 / sites.len() as f64;
+            // The lattice itself has 80 neighbours within the reach where an even medium has 76, and 20 where it has 21.
+            let expected = neighbours(sites.len() as u64, reach, dimension);
+            assert!((expected / mean - 1.0).abs() < 0.07, "{expected} {mean}");
+            // 16 % are missing in the ball, and 4 % in the disc.
+            assert!(mean < 0.97 * (near.len() as f64 - 1.0));
+        }
+        assert_eq!(neighbours(1, 2.64, 3), 0.0);
     }
 
     #[test]

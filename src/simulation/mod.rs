@@ -1,5 +1,6 @@
 //! One run of a scene, from its particles to its outcome and its price.
 
+mod collapse;
 pub mod compare;
 pub mod directory;
 pub mod faults;

@@ -138,7 +138,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
     let (stepper, state, comm) = (report.stepper, report.state, report.comm);
     let owned = stepper.columns.len();
     let memory = (resources::peak_resident_bytes() - report.resident_at_start).max(0.0);
-    let list = stepper.neighbourhood.list.bytes();
+    let list = stepper.neighbourhood.list_bytes();
     let mut sums = [
         owned as i64,
         stepper.neighbourhood.ghosts() as i64,

@@ -41,3 +41,13 @@ pub fn machine() -> u64 {
     let boot = std::fs::read("/proc/sys/kernel/random/boot_id").unwrap_or_default();
     u64::from_le_bytes(std::array::from_fn(|k| blake3::hash(&boot).as_bytes()[k]))
 }
+
+/// Lets large arrays go back to the system when they are freed, whatever was allocated after them: what a list build or an
+/// outcome needs for itself then does not add to what the steps need.
+pub fn give_freed_memory_back() {
+    #[cfg(target_env = "gnu")]
+    // SAFETY: sets a parameter of the allocator, before there are threads.
+    unsafe {
+        libc::mallopt(libc::M_MMAP_THRESHOLD, 1 << 22);
+    }
+}

@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use super::collapse::Collapse;
 use super::compare::Comparison;
-use super::faults::Fault;
+use super::faults::{Asks, Fault};
 use super::files::scene_hash;
 use super::footprint::Footprint;
 use super::log::Progress;
@@ -23,7 +24,7 @@ use crate::output::{History, Summary, agree, checkpoint};
 use crate::particles::ParticleId;
 use crate::scene::{Scene, Until};
 use crate::step::time_step::Limit;
-use crate::step::{Stepper, Totals};
+use crate::step::{Failure, Stepper, Totals};
 
 /// How a run is to be done; the scene says what.
 #[derive(Debug, Clone)]
@@ -62,6 +63,7 @@ const FAILED: u32 = 3;
 
 /// Runs a scene. Collective.
 pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<RunReport> {
+    comm.set_file_hints(scene.output.mpi_io_hints.iter().map(|(key, value)| (key.as_str(), value.as_str())));
     match scene.dimension {
         2 => Run::<2>::open(scene, options, comm)?.run_to_end(),
         _ => Run::<3>::open(scene, options, comm)?.run_to_end(),
@@ -87,6 +89,9 @@ pub(super) struct Run<'a, const D: usize> {
     pub(super) later: Option<Outcome>,
     /// What failed on this rank alone.
     pub(super) failed: Option<Error>,
+    /// The step at which the run is to stop before its end.
+    pub(super) last: Option<u64>,
+    pub(super) collapse: Collapse,
     /// What limits the time step.
     pub(super) limit: (Limit, &'static str),
 }
@@ -102,6 +107,7 @@ impl<'a, const D: usize> Run<'a, D> {
         let comparison = Comparison::new(scene)?;
         let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
         Footprint::new(scene, &plan, comm.size()).require(comm).map_err(|e| e.at(scene.path()))?;
+        let fault = Fault::of_rank(comm.rank());
         let hash = scene_hash(scene);
         let saved = if options.resume {
             checkpoint::read_newest(&options.directory, &plan.registry, comm, &hash)?
@@ -110,11 +116,13 @@ impl<'a, const D: usize> Run<'a, D> {
         };
         let (mut stepper, state) = match saved {
             Some(saved) => {
-                if let Some(refused) = &saved.refused {
+                if let Some(refused) = saved.refused.as_ref().filter(|_| comm.is_root()) {
                     tracing::warn!("the newest checkpoint was not taken: {refused}");
                 }
                 tracing::info!("going on from {}", saved.path.display());
-                let mut stepper = Stepper::new(comm, saved.columns, plan.settings(scene));
+                let mut settings = plan.settings(scene);
+                settings.effects.extend(fault.effect(&settings.core));
+                let mut stepper = Stepper::new(comm, saved.columns, settings);
                 stepper.resume();
                 let mut state: RunState = serde_json::from_str(&saved.meta.json)
                     .map_err(|e| Error::new(format!("its state cannot be read: {e}")))?;
@@ -122,7 +130,8 @@ impl<'a, const D: usize> Run<'a, D> {
                 (stepper, Some(state))
             }
             None => {
-                let (columns, settings) = plan.populate(scene, comm)?;
+                let (columns, mut settings) = plan.populate(scene, comm)?;
+                settings.effects.extend(fault.effect(&settings.core));
                 (Stepper::new(comm, columns, settings), None)
             }
         };
@@ -139,7 +148,6 @@ impl<'a, const D: usize> Run<'a, D> {
         let text = scene.to_toml();
         let write = || replace_text(&options.directory.join("scene.toml"), &text);
         agree(comm, if comm.is_root() { write() } else { Ok(()) })?;
-        let fault = Fault::of_rank(comm.rank());
         let saved = Instant::now();
         Ok(Self {
             scene,
@@ -159,13 +167,15 @@ impl<'a, const D: usize> Run<'a, D> {
             evaluation: None,
             later: None,
             failed: None,
+            last: None,
+            collapse: Collapse::default(),
             limit: (Limit { id: ParticleId(0), ..Limit::NONE }, ""),
         })
     }
 
     fn first_state(scene: &Scene, stepper: &mut Stepper<'a, D>) -> Result<RunState> {
         let first = stepper.totals();
-        let agreed = stepper.start()?;
+        let agreed = stepper.start().map_err(|failure| failure.error(|body| &scene.bodies[body].name))?;
         let settled = scene.impact.as_ref().filter(|_| scene.run.until == Until::Settled).map(|_| {
             Settled::new(report::first_contact(scene), report::crossing(scene), first.kinetic_in_centre_of_mass())
         });
@@ -192,11 +202,15 @@ impl<'a, const D: usize> Run<'a, D> {
         }
         while !self.is_over() {
             let dt = self.next_step();
-            let agreed = self.stepper.step(dt, self.wish())?;
+            let agreed = match self.stepper.step(dt, self.wish()) {
+                Ok(agreed) => agreed,
+                Err(failure) => return Err(self.go_back(&failure)),
+            };
             self.state.time += dt;
             self.state.dt = agreed.dt;
             self.state.counters = self.stepper.counters;
             let steps = self.state.counters.steps;
+            self.warn_of_collapse();
             if steps % self.scene.output.history_every == 0 {
                 self.note_totals()?;
                 progress.show(self.done(), || self.describe());
@@ -209,7 +223,9 @@ impl<'a, const D: usize> Run<'a, D> {
                 self.write_checkpoint()?;
             }
             if agreed.signal >= WANTS_STOP {
-                tracing::warn!("stopped by a signal at step {steps}, t = {:e} s; --resume goes on", self.state.time);
+                if self.comm.is_root() {
+                    tracing::warn!("stopped at step {steps}, t = {:e} s; --resume goes on", self.state.time);
+                }
                 return self.report(Ended::Interrupted, Figures::default());
             }
         }
@@ -248,11 +264,49 @@ impl<'a, const D: usize> Run<'a, D> {
         if self.failed.is_some() {
             return FAILED;
         }
-        if self.fault.strike(self.state.counters.steps + 1) || signals::asked() != 0 {
+        let coming = self.state.counters.steps + 1;
+        let asks = self.fault.strike(coming);
+        if asks == Asks::Stop || signals::asked() != 0 || self.last == Some(coming) {
             return WANTS_STOP;
         }
         let due = self.comm.is_root() && self.saved.elapsed().as_secs_f64() > self.scene.run.checkpoint_every;
-        if due { WANTS_CHECKPOINT } else { 0 }
+        if due || asks == Asks::Checkpoint { WANTS_CHECKPOINT } else { 0 }
+    }
+
+    /// Saves the state that a step failed from. A step writes over that state, and a copy of it would cost every step memory;
+    /// but the same bits come again, so the run goes back to the newest checkpoint (or to its start), repeats the steps up to
+    /// the one that failed, with all that they write, and stops there with a checkpoint. Returns what is to be told.
+    /// Collective.
+    fn go_back(self, failure: &Failure) -> Error {
+        let (scene, comm) = (self.scene, self.comm);
+        let options = Options { resume: true, ..self.options.clone() };
+        let error = failure.error(|body| &scene.bodies[body].name);
+        let before = failure.step - 1;
+        if comm.is_root() {
+            tracing::warn!("{error}; going back, to save the state after step {before}");
+        }
+        drop(self);
+        let stop = || -> Result<u64> {
+            let mut run = Run::<D>::open(scene, &options, comm)?;
+            let found = run.state.counters.steps;
+            run.last = Some(before);
+            Ok(if found < before { run.run_to_end()?.summary.steps } else { found })
+        };
+        let told = match stop() {
+            Ok(steps) => format!("; --resume goes on from the checkpoint after step {steps}"),
+            Err(second) => format!("; the state before that step could not be saved: {second}"),
+        };
+        Error { what: error.what + &told, ..error }
+    }
+
+    /// Names the particle that makes the time step collapse.
+    fn warn_of_collapse(&mut self) {
+        if let Some(ratio) = self.collapse.note(self.state.dt) {
+            self.limit = self.stepper.tightest_limit();
+            if self.comm.is_root() {
+                tracing::warn!("the time step has collapsed to {ratio:.1e} of the largest: {}", self.describe());
+            }
+        }
     }
 
     fn note_totals(&mut self) -> Result<()> {

@@ -40,7 +40,8 @@ pub fn count_particles(scene: &Scene, comm: &Comm) -> Result<Vec<BodyConstants>>
     let constants = scene.bodies.iter().zip(&counts).map(|(body, &count)| {
         if count == 0 {
             let what = format!("body `{}` has no particles: no lattice site lies inside its shape", body.name);
-            return Err(Error::new(what).at(scene.path()).allowed("a smaller spacing, or more particles"));
+            let error = Error::new(what).at(scene.path()).allowed("a smaller spacing, or more particles");
+            return Err(error.bad_input());
         }
         Ok(body.constants(count as u64, scene.numerics.eta))
     });

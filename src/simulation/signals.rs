@@ -1,4 +1,5 @@
-//! SIGTERM and SIGUSR1 ask for a checkpoint at the end of the step and a clean exit; a second one is not waited for.
+//! SIGTERM and SIGUSR1 ask for a checkpoint at the end of the step and a clean exit; a second one is not waited for. A file
+//! that grows beyond what the shell allows is an error like a full disk, not the end of the process.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -14,6 +15,8 @@ pub fn listen() {
         // SAFETY: the handler only stores to an atomic.
         unsafe { libc::signal(signal, ask as *const () as libc::sighandler_t) };
     }
+    // SAFETY: what is ignored runs nothing.
+    unsafe { libc::signal(libc::SIGXFSZ, libc::SIG_IGN) };
 }
 
 /// The signal that came, or zero.

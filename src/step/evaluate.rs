@@ -5,6 +5,7 @@ use std::cell::Cell;
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
+use super::failure::{Bad, all_finite, finite};
 use super::integrator::{self, NewRates};
 use super::pack::{Packer, read_stress};
 use super::time_step::{self, Limit};
@@ -13,7 +14,8 @@ use crate::math::{Mat3, Sym};
 use crate::motion::Motions;
 use crate::pair::{Layout, PairLoop, RowSums, Rows, correction};
 use crate::particles::chunk::{CHUNK, Chunk};
-use crate::particles::{Columns, ParticleId, Registry};
+use crate::particles::columns::Entry;
+use crate::particles::{Life, Registry, Shape};
 
 /// What a thread needs for a chunk, and what it finds out.
 pub struct Workspace {
@@ -24,8 +26,10 @@ pub struct Workspace {
     new_rates: Vec<Vec<Cell<u64>>>,
     /// Tightest limit since the last [`Workspace::take`].
     limit: Limit,
-    /// First particle with a rate that is no number, by id, and what it was.
-    bad: Option<(ParticleId, &'static str)>,
+    /// Columns that are looked through after prediction, see [`is_watched`].
+    watched: Vec<usize>,
+    /// First particle with a number that is none, by id, since then.
+    bad: Option<Bad>,
     /// Directed pairs inside the support.
     pairs: u64,
     /// Time spent in each effect so far.
@@ -43,6 +47,7 @@ impl Workspace {
             acceleration: vec![0.0; CHUNK * registry.dimension],
             new_rates: registry.integrated.iter().map(block).collect(),
             limit: Limit::NONE,
+            watched: (0..registry.entries.len()).filter(|&index| is_watched(&registry.entries[index])).collect(),
             bad: None,
             pairs: 0,
             effects: vec![Cell::default(); effects],
@@ -50,10 +55,14 @@ impl Workspace {
     }
 
     /// Limit, first bad particle and pairs since the last call.
-    pub fn take(&mut self) -> (Limit, Option<(ParticleId, &'static str)>, u64) {
-        let out = (self.limit, self.bad, self.pairs);
-        (self.limit, self.bad, self.pairs) = (Limit::NONE, None, 0);
-        out
+    pub fn take(&mut self) -> (Limit, Option<Bad>, u64) {
+        let limit = std::mem::replace(&mut self.limit, Limit::NONE);
+        (limit, self.bad.take(), std::mem::take(&mut self.pairs))
+    }
+
+    /// The first bad particle of the passes since the last call.
+    pub fn take_bad(&mut self) -> Option<Bad> {
+        self.bad.take()
     }
 
     /// Seconds that this thread has spent in each effect so far.
@@ -82,6 +91,7 @@ impl Physics<'_> {
         let local = self.local(chunk, workspace, dt);
         self.each_effect(workspace, |effect| effect.admit(&local));
         self.each_effect(workspace, |effect| effect.update(&local));
+        self.note_bad_columns(chunk, workspace);
     }
 
     /// Calls `initialise` and one first `update` on new particles.
@@ -91,9 +101,10 @@ impl Physics<'_> {
         self.each_effect(workspace, |effect| effect.initialise(&local));
         self.each_effect(workspace, |effect| effect.admit(&local));
         self.each_effect(workspace, |effect| effect.update(&local));
+        self.note_bad_columns(chunk, workspace);
     }
 
-    /// Sums the rows of a chunk and corrects its state with the rates found.
+    /// Sums the rows of a chunk and corrects its state with the rates found, unless one of them is no number.
     pub fn evaluate(&self, chunk: &Chunk, rows: &Rows, dt: f64, workspace: &mut Workspace) {
         self.fill_bodies(chunk, workspace);
         self.pair_loop.sum(rows, chunk.range.clone(), &mut workspace.sums);
@@ -105,16 +116,16 @@ impl Physics<'_> {
         let local = self.local(chunk, workspace, dt);
         self.each_effect(workspace, |effect| effect.rates(&local));
         let limit = self.step_limit(&local, chunk, workspace, held);
-        let bad = self.first_bad(chunk, workspace);
+        if !self.rates_are_finite(chunk, workspace) {
+            let bad = self.first_bad_rate(chunk, &local, workspace);
+            workspace.bad = Bad::first(workspace.bad.take(), bad);
+            return;
+        }
         let new = NewRates { acceleration: &workspace.acceleration, integrated: &workspace.new_rates };
         integrator::correct(chunk, self.registry, self.core, &new, dt);
         let local = self.local(chunk, workspace, dt);
         self.each_effect(workspace, |effect| effect.admit(&local));
         workspace.limit = workspace.limit.tighter(limit);
-        workspace.bad = match (workspace.bad, bad) {
-            (Some(a), Some(b)) => Some(if a.0 <= b.0 { a } else { b }),
-            (a, b) => a.or(b),
-        };
     }
 
     /// Calls every effect in its turn and notes the time that it took.
@@ -221,32 +232,69 @@ impl Physics<'_> {
         Limit { dt: best.0, reason: best.2, id: chunk.view(self.core.id).get(best.1), position: position.into() }
     }
 
-    /// A rate that is no number, before it reaches the state.
-    fn first_bad(&self, chunk: &Chunk, workspace: &Workspace) -> Option<(ParticleId, &'static str)> {
-        let dimension = self.registry.dimension;
+    fn rates_are_finite(&self, chunk: &Chunk, workspace: &Workspace) -> bool {
         let n = chunk.len();
-        // One sum per quantity: it is finite only if every term is (an overflow of the sum is worth a look, too).
-        let finite = |words: &[Cell<u64>]| words.iter().map(|w| f64::from_bits(w.get()) * 0.0).sum::<f64>() == 0.0;
-        let acceleration_finite = workspace.acceleration[..n * dimension].iter().map(|a| a * 0.0).sum::<f64>() == 0.0;
-        let ids = chunk.view(self.core.id);
-        let first = |bad: &dyn Fn(usize) -> bool| (0..n).filter(|&k| bad(k)).map(|k| ids.get(k)).min();
-        if !acceleration_finite {
-            let a =
-                |k: usize| !workspace.acceleration[k * dimension..(k + 1) * dimension].iter().all(|a| a.is_finite());
-            return first(&a).map(|id| (id, "acceleration"));
-        }
-        for (slot, &(value, _)) in self.registry.integrated.iter().enumerate() {
-            let entry = &self.registry.entries[value];
-            let block = &workspace.new_rates[slot][..n * entry.width];
-            if !finite(block) {
-                let width = entry.width;
-                let bad =
-                    |k: usize| !block[k * width..(k + 1) * width].iter().all(|w| f64::from_bits(w.get()).is_finite());
-                return first(&bad).map(|id| (id, entry.info.name));
+        let width = |slot: usize| self.registry.entries[self.registry.integrated[slot].0].width;
+        let mut blocks = workspace.new_rates.iter().enumerate();
+        all_finite(&workspace.acceleration[..n * self.registry.dimension])
+            && blocks.all(|(slot, block)| finite(&block[..n * width(slot)]))
+    }
+
+    /// The first particle with a rate that is no number, and which of the causes in their order: the forces of its neighbours,
+    /// their motion, or the effect without which its rates would be numbers.
+    fn first_bad_rate(&self, chunk: &Chunk, local: &Local, workspace: &Workspace) -> Option<Bad> {
+        let (n, dimension) = (chunk.len(), self.registry.dimension);
+        let mut found = None;
+        let mut note = |k: usize, what: &dyn Fn() -> String| {
+            let id = chunk.view(self.core.id).get(k);
+            if found.as_ref().is_none_or(|bad: &Bad| id < bad.id) {
+                found = Some(Bad { id, what: what() });
+            }
+        };
+        for k in 0..n {
+            let motion = &workspace.motion[k];
+            if !all_finite(&workspace.acceleration[k * dimension..(k + 1) * dimension]) {
+                note(k, &|| "the forces of its neighbours add up to an acceleration that is no number".into());
+            } else if !(all_finite(motion.velocity_gradient.as_slice()) && motion.heating.is_finite()) {
+                note(k, &|| "the motion of its neighbours gives a velocity gradient that is no number".into());
             }
         }
-        None
+        // Effects fill the rates once more, one after another.
+        workspace.new_rates.iter().flatten().for_each(|word| word.set(0));
+        for effect in self.effects {
+            effect.rates(local);
+            for (block, &(value, _)) in workspace.new_rates.iter().zip(&self.registry.integrated) {
+                let entry = &self.registry.entries[value];
+                for k in (0..n).filter(|&k| !finite(&block[k * entry.width..(k + 1) * entry.width])) {
+                    note(k, &|| format!("effect `{}` makes a rate of {} that is no number", effect.name(), entry.name));
+                }
+            }
+        }
+        found
     }
+
+    /// Looks through the numbers that the effects have made of a chunk.
+    fn note_bad_columns(&self, chunk: &Chunk, workspace: &mut Workspace) {
+        if workspace.watched.iter().all(|&index| finite(chunk.words(index))) {
+            return;
+        }
+        let ids = chunk.view(self.core.id);
+        for &index in &workspace.watched {
+            let entry = &self.registry.entries[index];
+            let words = chunk.words(index);
+            let bad = (0..chunk.len()).filter(|&k| !finite(&words[k * entry.width..(k + 1) * entry.width]));
+            let what =
+                || format!("its {} is no number after the effects have acted (owner: {})", entry.name, entry.owner);
+            let bad = bad.map(|k| ids.get(k)).min().map(|id| Bad { id, what: what() });
+            workspace.bad = Bad::first(workspace.bad.take(), bad);
+        }
+    }
+}
+
+/// Numbers that snapshots show, and those that follow from the state. The others are rates, which are looked at when they are
+/// made, and values at the last list build.
+fn is_watched(entry: &Entry) -> bool {
+    entry.shape != Shape::Id && (entry.info.snapshot || entry.info.life == Life::Scratch)
 }
 
 fn gradient(dimension: usize, sums: &[f64; 9]) -> Mat3 {
@@ -270,10 +318,4 @@ fn contract(s: &Sym, l: &Mat3) -> f64 {
 /// Chunks of `count` owned particles.
 pub fn chunk_range(chunk: usize, count: usize) -> Range<usize> {
     chunk * CHUNK..((chunk + 1) * CHUNK).min(count)
-}
-
-/// Whether the columns of a rank hold numbers only; for tests and restarts.
-pub fn all_finite(columns: &Columns) -> bool {
-    let numbers = columns.registry.entries.iter().enumerate().filter(|(_, e)| e.shape != crate::particles::Shape::Id);
-    numbers.into_iter().all(|(index, _)| columns.numbers(index).iter().all(|x| x.is_finite()))
 }

@@ -48,7 +48,8 @@ pub fn correct(chunk: &Chunk, registry: &Registry, core: &Core, new: &NewRates, 
     };
     let (velocity, acceleration) = (chunk.words(core.velocity.index), chunk.words(core.acceleration.index));
     let by_step = if dt > 0.0 { 1.0 / dt } else { 0.0 };
-    for (((v, a), j), new) in velocity.iter().zip(acceleration).zip(chunk.words(core.jerk.index)).zip(new.acceleration) {
+    for (((v, a), j), new) in velocity.iter().zip(acceleration).zip(chunk.words(core.jerk.index)).zip(new.acceleration)
+    {
         advance(v, -half * dt * f64::from_bits(j.get()));
         j.set((by_step * (new - f64::from_bits(a.get()))).to_bits());
         mend(v, a, *new);

@@ -2,6 +2,7 @@
 
 pub mod diagnostics;
 pub mod evaluate;
+pub mod failure;
 pub mod integrator;
 pub mod neighbourhood;
 pub mod pack;
@@ -11,4 +12,5 @@ pub mod time_step;
 pub mod workers;
 
 pub use diagnostics::Totals;
+pub use failure::Failure;
 pub use stepper::{Counters, Stepper};

@@ -33,6 +33,10 @@ pub struct Neighbourhood<const D: usize> {
     space: Space,
     words: usize,
     costs: Vec<u32>,
+    /// Entries and rows of the present list.
+    list_size: (f64, f64),
+    /// Most bytes that a list has held.
+    list_bytes: usize,
 }
 
 impl<const D: usize> Neighbourhood<D> {
@@ -52,6 +56,8 @@ impl<const D: usize> Neighbourhood<D> {
             space: Space { lattice: lattice(reach, settings, smoothing_length.is_some()), periods: settings.periods },
             words: settings.pair_loop.layout.words(),
             costs: Vec::new(),
+            list_size: (0.0, 0.0),
+            list_bytes: 0,
         }
     }
 
@@ -113,7 +119,21 @@ impl<const D: usize> Neighbourhood<D> {
 
     /// Neighbours of every owned particle.
     pub fn build_list(&mut self) {
-        self.list.build(&self.decomposition.as_ref().expect("particles are distributed first").local);
+        let Decomposition { local, .. } = self.decomposition.as_mut().expect("particles are distributed first");
+        self.list.build(local);
+        local.forget_places();
+        self.list_size = (*self.list.offsets.last().unwrap_or(&0) as f64, (self.list.offsets.len() - 1) as f64);
+        self.list_bytes = self.list_bytes.max(self.list.bytes());
+    }
+
+    /// Gives the list's memory back.
+    pub fn forget_list(&mut self) {
+        self.list.forget();
+    }
+
+    /// Most bytes that a list has held.
+    pub fn list_bytes(&self) -> usize {
+        self.list_bytes
     }
 
     /// How much of the skin is used up, as far as this rank sees; lists hold while no rank finds more than 1. Collective.
@@ -167,7 +187,7 @@ impl<const D: usize> Neighbourhood<D> {
 
     /// The same for the present list, where the update of a particle costs `own` entries. Collective.
     fn imbalance_of_list(&self, own: f64, comm: &Comm) -> f64 {
-        let (entries, particles) = self.list_size();
+        let (entries, particles) = self.list_size;
         let mine = entries + own * particles;
         let (mut most, mut total) = ([mine], [mine as i64]);
         comm.all_max(&mut most);
@@ -175,9 +195,9 @@ impl<const D: usize> Neighbourhood<D> {
         most[0] * comm.size() as f64 / total[0].max(1) as f64
     }
 
-    /// Entries and rows of the list.
-    fn list_size(&self) -> (f64, f64) {
-        (*self.list.offsets.last().unwrap_or(&0) as f64, (self.list.offsets.len() - 1) as f64)
+    /// Entries and rows of the present list.
+    pub fn list_size(&self) -> (f64, f64) {
+        self.list_size
     }
 
     /// Cost of a particle's own update in list entries, from the time that all ranks took so far: what disturbs one of them
@@ -185,7 +205,7 @@ impl<const D: usize> Neighbourhood<D> {
     fn update_cost(&self, phases: &Phases, counters: &Counters, comm: &Comm) -> f64 {
         let seconds = |phase: Phase| phases.seconds[phase as usize];
         let update = seconds(Phase::Predict) + seconds(Phase::Pack) + seconds(Phase::Watch);
-        let (entries, particles) = self.list_size();
+        let (entries, particles) = self.list_size;
         let mut sums = [1e6 * update, 1e6 * seconds(Phase::Pairs), entries, particles].map(|x| x as i64);
         comm.all_sum(&mut sums);
         let [update, pairs, entries, particles] = sums.map(|x| x as f64);

@@ -5,13 +5,13 @@ use std::time::Instant;
 
 use super::diagnostics::{self, Sources, Totals};
 use super::evaluate::{Physics, Workspace, chunk_range};
+use super::failure::{Bad, Failure};
 use super::neighbourhood::Neighbourhood;
 use super::pack::Packer;
 use super::phases::{Phase, Phases};
 use super::time_step::Limit;
 use super::workers::Workers;
 use crate::domain::comm::Comm;
-use crate::error::{Error, Result};
 use crate::material::{BodyConstants, Core, MaterialEffect};
 use crate::motion::Motions;
 use crate::pair::{PairLoop, Rows};
@@ -81,7 +81,9 @@ pub struct Stepper<'c, const D: usize> {
     boundary: Vec<u32>,
     all: Vec<u32>,
     pointers: Vec<(*mut u64, usize)>,
-    bad: Option<(ParticleId, &'static str)>,
+    bad: Option<Bad>,
+    /// Whether lists and records were given back.
+    resting: bool,
 }
 
 impl<'c, const D: usize> Stepper<'c, D> {
@@ -105,15 +107,17 @@ impl<'c, const D: usize> Stepper<'c, D> {
             boundary: Vec::new(),
             all: Vec::new(),
             pointers: Vec::new(),
+            resting: false,
             bad: None,
         }
     }
 
     /// New particles: initialises their effects, distributes them and evaluates once. Returns the first step.
-    pub fn start(&mut self) -> Result<Agreed> {
+    pub fn start(&mut self) -> Result<Agreed, Failure> {
         // Smoothing lengths, on which lists stand, may be made by an effect.
         self.find_chunks();
         self.material_pass(|physics, chunk, workspace| physics.initialise(chunk, workspace));
+        self.agree_on_particles(0.0)?;
         self.rebuild(true);
         self.evaluate(0.0);
         self.agree(0)
@@ -124,23 +128,32 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.rebuild(false);
     }
 
-    /// Moves all particles on by `dt`, s. `signal` is this rank's wish to stop, agreed on with all others.
-    pub fn step(&mut self, dt: f64, signal: u32) -> Result<Agreed> {
+    /// Moves all particles on by `dt`, s. `signal` is this rank's wish to stop, agreed on with all others. Where it fails,
+    /// particles are left amid the step on every rank, and only a checkpoint leads on.
+    pub fn step(&mut self, dt: f64, signal: u32) -> Result<Agreed, Failure> {
+        self.counters.steps += 1;
+        if self.resting {
+            self.rebuild(false);
+        }
         let start = Instant::now();
         self.material_pass(|physics, chunk, workspace| physics.predict(chunk, dt, workspace));
         self.phases.add(Phase::Predict, start);
         let start = Instant::now();
-        let mut used = [self.neighbourhood.skin_used(&self.columns, &self.settings, self.comm)];
+        let used = self.neighbourhood.skin_used(&self.columns, &self.settings, self.comm);
         self.phases.add(Phase::Watch, start);
-        let start = Instant::now();
-        self.comm.all_max(&mut used);
-        self.phases.add(Phase::Reduce, start);
-        if used[0] > 1.0 {
+        if self.agree_on_particles(used)? > 1.0 {
             self.rebuild(true);
         }
         self.evaluate(dt);
-        self.counters.steps += 1;
         self.agree(signal)
+    }
+
+    /// Gives the memory of lists and records back, for work that needs its own. The next step makes them anew from the
+    /// positions of the last build: nothing changes.
+    pub fn rest(&mut self) {
+        self.neighbourhood.forget_list();
+        self.records = Vec::new();
+        self.resting = true;
     }
 
     /// Conserved quantities; collective.
@@ -234,10 +247,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.workers.collect(|workspace| {
             let (l, b, p) = workspace.take();
             limit = limit.tighter(l);
-            bad = match (bad, b) {
-                (Some((a, what)), Some((b, other))) => Some(if a <= b { (a, what) } else { (b, other) }),
-                (a, b) => a.or(b),
-            };
+            bad = Bad::first(bad.take(), b);
             pairs += p;
         });
         (self.limit, self.bad) = (limit, bad);
@@ -282,37 +292,36 @@ impl<'c, const D: usize> Stepper<'c, D> {
         });
     }
 
-    /// One answer of all ranks: the next step, a particle gone bad, a wish to stop.
-    fn agree(&mut self, signal: u32) -> Result<Agreed> {
+    /// One answer of all ranks after prediction: the largest share of the skin that is used up. Nothing that is no number goes
+    /// on to a neighbour. Collective.
+    fn agree_on_particles(&mut self, used: f64) -> Result<f64, Failure> {
+        let mut bad = None;
+        self.workers.collect(|workspace| bad = Bad::first(bad.take(), workspace.take_bad()));
+        let mut values = [if bad.is_none() { used } else { 0.0 }, bad.is_some() as u32 as f64];
+        let start = Instant::now();
+        self.comm.all_max(&mut values);
+        self.phases.add(Phase::Reduce, start);
+        if values[1] > 0.0 {
+            return Err(Failure::of_ranks(bad.as_ref(), self.counters.steps, self.comm));
+        }
+        Ok(values[0])
+    }
+
+    /// One answer of all ranks after an evaluation: the next step, a particle gone bad, a wish to stop.
+    fn agree(&mut self, signal: u32) -> Result<Agreed, Failure> {
         let bad = self.bad.is_some() as u32 as f64;
         let mut values = [self.limit.dt, -bad, -(signal as f64)];
         let start = Instant::now();
         self.comm.all_min(&mut values);
         self.phases.add(Phase::Reduce, start);
         if values[1] < 0.0 {
-            return Err(self.describe_bad());
+            return Err(Failure::of_ranks(self.bad.as_ref(), self.counters.steps, self.comm));
         }
         if !(values[0] > 0.0 && values[0].is_finite()) {
-            return Err(Error::new(format!("no finite time step: {} s", values[0])));
+            let what = format!("no finite time step: {} s", values[0]);
+            return Err(Failure { step: self.counters.steps, particle: None, what });
         }
         Ok(Agreed { dt: values[0], signal: -values[2] as u32 })
-    }
-
-    /// The bad particle with the smallest id of all ranks; collective.
-    fn describe_bad(&self) -> Error {
-        let id = self.bad.map_or(u64::MAX, |(id, _)| id.0);
-        let names: Vec<&'static str> = self.columns.registry.entries.iter().map(|e| e.info.name).collect();
-        let what = self.bad.and_then(|(_, what)| names.iter().position(|n| *n == what)).unwrap_or(usize::MAX);
-        let all = self.comm.all_gather(&[id, what as u64]);
-        let first = all.chunks_exact(2).min_by_key(|w| w[0]).unwrap_or(&[0, 0]);
-        let name = names.get(first[1] as usize).copied().unwrap_or("state");
-        let id = ParticleId(first[0]);
-        Error::new(format!("the rate of {name} is no number")).at(format!(
-            "step {}, particle {} of body {}",
-            self.counters.steps,
-            id.site(),
-            id.body()
-        ))
     }
 
     fn find_chunks(&mut self) {
@@ -322,6 +331,9 @@ impl<'c, const D: usize> Stepper<'c, D> {
 
     /// New lists; `fresh` from the present positions, otherwise from those of the last build.
     fn rebuild(&mut self, fresh: bool) {
+        self.resting = false;
+        // Not read before the next step packs them, and the search has arrays of its own.
+        self.records = Vec::new();
         let start = Instant::now();
         if fresh {
             self.neighbourhood.start_afresh(&mut self.columns);
@@ -329,6 +341,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
             self.counters.list_builds += 1;
             self.counters.rebisections += rebisected as u64;
         }
+        self.neighbourhood.forget_list();
         self.neighbourhood.distribute(&mut self.columns, &self.settings, self.comm);
         self.counters.migrated += self.neighbourhood.migrated() as u64;
         self.phases.add(Phase::Migration, start);

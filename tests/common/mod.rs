@@ -8,6 +8,12 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use sph_mpi::domain::comm::Comm;
+use sph_mpi::math::Vec3;
+use sph_mpi::particles::{Column, Columns, Element};
+use sph_mpi::scene::Scene;
+use sph_mpi::simulation::setup::{self, Plan};
+use sph_mpi::step::Stepper;
+use sph_mpi::step::stepper::StepSettings;
 use tempfile::TempDir;
 
 /// The program under test.
@@ -54,6 +60,14 @@ impl Launch {
     /// sph-mpi with `args`.
     pub fn scene<A: AsRef<std::ffi::OsStr>>(ranks: usize, args: &[A]) -> Self {
         Self::new(ranks, PROGRAM, args)
+    }
+
+    /// sph-mpi with `more` arguments on `scene`, which is written into `dir`; the run goes into `dir/run`.
+    pub fn in_directory(ranks: usize, dir: &Path, scene: &str, more: &[&str]) -> Self {
+        let (scene, out) = (write_scene(dir, scene), dir.join("run"));
+        let path = |path: &Path| path.to_str().expect("a plain path").to_owned();
+        let args = [path(&scene), "--out".into(), path(&out)];
+        Self::scene(ranks, &args.into_iter().chain(more.iter().map(|arg| arg.to_string())).collect::<Vec<_>>())
     }
 
     pub fn env(mut self, key: &str, value: impl AsRef<std::ffi::OsStr>) -> Self {
@@ -311,4 +325,110 @@ pub fn write_scene(dir: &Path, scene: &str) -> PathBuf {
     let path = dir.join("scene.toml");
     fs::write(&path, scene).expect("a scene can be written");
     path
+}
+
+/// A scene stepped by hand, with its particles within reach; on one rank.
+pub struct ByHand<'c, const D: usize> {
+    pub scene: Scene,
+    pub stepper: Stepper<'c, D>,
+    /// s.
+    pub time: f64,
+    /// The next step, s.
+    pub dt: f64,
+}
+
+impl<'c, const D: usize> ByHand<'c, D> {
+    /// The scene, with its particles changed by `prepare` before anything is evaluated.
+    pub fn new(text: &str, comm: &'c Comm, prepare: impl FnOnce(&mut Columns)) -> Self {
+        Self::with(text, &[], comm, |columns, _, _| prepare(columns))
+    }
+
+    /// The same with keys set as after `--set`, and with its settings within reach.
+    pub fn with(
+        text: &str,
+        changes: &[&str],
+        comm: &'c Comm,
+        prepare: impl FnOnce(&mut Columns, &mut StepSettings, &Scene),
+    ) -> Self {
+        let changes: Vec<String> = changes.iter().map(|change| change.to_string()).collect();
+        let scene = Scene::parse("scene.toml", text, &changes).unwrap_or_else(|e| panic!("{e}\n{text}"));
+        let plan: Plan = setup::plan(&scene, setup::count_particles(&scene, comm).expect("particles"));
+        let (mut columns, mut settings) = plan.populate(&scene, comm).expect("a scene that can start");
+        prepare(&mut columns, &mut settings, &scene);
+        let mut stepper = Stepper::new(comm, columns, settings);
+        let dt = stepper.start().expect("a first evaluation").dt;
+        Self { scene, stepper, time: 0.0, dt }
+    }
+
+    /// Evaluates once more, after particles were changed by hand.
+    pub fn evaluate(&mut self) {
+        self.dt = self.stepper.step(0.0, 0).expect("an evaluation").dt;
+    }
+
+    /// One step, of at most `most` seconds.
+    pub fn step(&mut self, most: f64) {
+        let dt = self.dt.min(most);
+        self.dt = self.stepper.step(dt, 0).expect("a step").dt;
+        self.time += dt;
+    }
+
+    /// Steps to the time `end`, s, and looks at every step.
+    pub fn run(&mut self, end: f64, mut look: impl FnMut(&mut Self)) {
+        while self.time < end {
+            self.step(end - self.time);
+            look(self);
+        }
+    }
+
+    pub fn steps(&self) -> u64 {
+        self.stepper.counters.steps
+    }
+
+    pub fn particles(&self) -> std::ops::Range<usize> {
+        0..self.stepper.columns.len()
+    }
+
+    pub fn column<T: Element>(&self, name: &str) -> Column<T> {
+        self.stepper.columns.registry.find(name).unwrap_or_else(|| panic!("the scene has a column {name}"))
+    }
+
+    pub fn get<T: Element>(&self, name: &str, i: usize) -> T {
+        self.stepper.columns.get(self.column(name), i)
+    }
+
+    pub fn set<T: Element>(&mut self, name: &str, i: usize, value: T) {
+        let column = self.column(name);
+        self.stepper.columns.set(column, i, value);
+    }
+
+    /// A column of single numbers.
+    pub fn numbers(&self, name: &str) -> &[f64] {
+        self.stepper.columns.numbers(self.column::<f64>(name).index)
+    }
+
+    pub fn id(&self, i: usize) -> u64 {
+        self.stepper.columns.get(self.stepper.settings.core.id, i).0
+    }
+
+    /// Number of the particle's body.
+    pub fn body(&self, i: usize) -> usize {
+        self.stepper.columns.get(self.stepper.settings.core.id, i).body()
+    }
+
+    pub fn position(&self, i: usize) -> Vec3 {
+        self.get("position", i)
+    }
+
+    pub fn velocity(&self, i: usize) -> Vec3 {
+        self.get("velocity", i)
+    }
+
+    pub fn acceleration(&self, i: usize) -> Vec3 {
+        self.get("acceleration", i)
+    }
+
+    /// Specific internal energy, J/kg.
+    pub fn energy(&self, i: usize) -> f64 {
+        self.get("internal_energy", i)
+    }
 }
