@@ -5,6 +5,7 @@ mod balance;
 mod boundaries;
 mod common;
 mod errors;
+mod exact;
 mod faults;
 mod fracture;
 mod hard_cases;

@@ -65,23 +65,27 @@ def sod(dimension):
 
 
 def sedov(dimension):
+    # In the plane a small ball's jets go further, and there is room for a larger one.
+    start, viscosity = {2: (6, "{ alpha = 3, beta = 6 }"), 3: (4, "{ alpha = 2, beta = 4 }")}[dimension]
     radius = {2: 0.631955, 3: 0.711501}[dimension]
-    bounds = {2: (0.05, 0.02), 3: (0.09, 0.03)}[dimension]
+    bounds = {2: (0.04, 0.02), 3: (0.08, 0.02)}[dimension]
     return Case(
         f"sedov_{dimension}d", f"Sedov, {dimension}D", "sedov", [0.04, 0.02, 0.01] if dimension == 2 else [0.1, 0.07, 0.05],
-        lambda d: ball("gas", d, dimension) + [f"gas.blast={{ energy = 1, radius = {4 * d:g} }}"],
+        lambda d: ball("gas", d, dimension) + [f"gas.blast={{ energy = 1, radius = {start * d:g} }}", f"material.gas.viscosity={viscosity}"],
         [
             Measure("density_l1", "density, L1", bounds[0], SHOCK + "; density by continuity drifts where particles are in disorder"),
-            Measure("front_1_speed", "radius of the shock", bounds[1], "the start in a ball of four spacings", radius, "m"),
+            Measure("front_1_speed", "radius of the shock", bounds[1], "the start in a ball of some spacings", radius, "m"),
         ],
     )
 
 
 def noh(dimension):
-    bounds = {2: (0.04, 0.04, 0.06), 3: (0.2, 0.3, 0.5)}[dimension]
+    # Less viscosity where few spacings lie between shock and centre: it heats what converges before the shock.
+    viscosity = {2: "{ alpha = 2, beta = 4 }", 3: "{ alpha = 1, beta = 1 }"}[dimension]
+    bounds = {2: (0.04, 0.04), 3: (0.15, 0.2)}[dimension]
     return Case(
-        f"noh_{dimension}d", f"Noh, {dimension}D", "noh", [0.04, 0.02, 0.01] if dimension == 2 else [0.1, 0.07, 0.05],
-        lambda d: ball("gas", d, dimension),
+        f"noh_{dimension}d", f"Noh, {dimension}D", "noh", [0.04, 0.02, 0.01] if dimension == 2 else [0.1, 0.07, 0.05, 0.035],
+        lambda d: ball("gas", d, dimension) + [f"material.gas.viscosity={viscosity}"],
         [
             Measure("density_l1", "density, L1", bounds[0], SHOCK + "; wall heating at the centre"),
             Measure("front_1_speed", "speed of the shock", bounds[1], "the shock has passed few spacings", 1 / 3, "m/s"),
@@ -105,11 +109,11 @@ def piston(dimension):
         [0.01, 0.005, 0.0025] if dimension == 2 else [0.02, 0.01, 0.005],
         lambda d: slab({"rod": (-6 * max(d, 0.01), 1.0, None)}, d, dimension) + [f"layer.0.motion={{ velocity = {velocity} }}"],
         [
-            Measure("stress_l1", "stress, L1", 0.03 if dimension == 2 else 0.05, SHOCK),
-            Measure("plateau_1_stress", "stress at the piston", 0.015, "sums over the lattice", 1.57315e9, "Pa"),
-            Measure("plateau_2_stress", "elastic limit", 0.05, "ringing of the plastic front reaches into the precursor", 6.3279e8, "Pa"),
-            Measure("front_1_speed", "speed of the plastic front", 0.02, OFFSET, 5479.1, "m/s"),
-            Measure("front_2_speed", "speed of the precursor", 0.04, "a weak front spreads ahead", 6443.7, "m/s"),
+            Measure("stress_l1", "stress, L1", 0.03 if dimension == 2 else 0.04, SHOCK),
+            Measure("plateau_1_stress", "stress at the piston", 0.004, LATTICE, 1.57315e9, "Pa"),
+            Measure("plateau_2_stress", "elastic limit", 0.02, "the plastic front is weak, hence wide, and reaches into the precursor", 6.3279e8, "Pa"),
+            Measure("front_1_speed", "speed of the plastic front", 0.03, OFFSET, 5479.1, "m/s"),
+            Measure("front_2_speed", "speed of the precursor", 0.01, OFFSET, 6443.7, "m/s"),
         ],
     )
 
@@ -120,7 +124,7 @@ def flyer(material, dimension, stress, speed):
         lambda d: slab({"flyer": (-0.4, 0.0, 4000), "target": (0.0, 0.4, None)}, d, dimension),
         [
             Measure("stress_l1", "pressure, L1", 0.04, SHOCK),
-            Measure("plateau_2_stress", "pressure", 0.012, "sums over a squeezed lattice", stress, "Pa"),
+            Measure("plateau_2_stress", "pressure", 0.005, "sums over a squeezed lattice", stress, "Pa"),
             Measure("plateau_2_internal_energy", "internal energy", 0.08, HEATING, 2e6, "J/kg"),
             Measure("front_2_speed", "speed of the shock", 0.02, OFFSET, speed, "m/s"),
         ],
@@ -134,7 +138,7 @@ def release(material, dimension, velocity, energy):
         [
             Measure("velocity_l1", "velocity, L1", 0.01, SURFACE),
             Measure("plateau_1_velocity", "velocity of the free surface", 0.01, "1 per cent asked for", velocity, "m/s"),
-            Measure("plateau_1_internal_energy", "residual energy", 0.25, "small difference of heating and release; heat of the smeared shock stays", energy, "J/kg"),
+            Measure("plateau_1_internal_energy", "residual energy", 0.25, "a small difference of heating and release, to which the smeared shock adds: order 1", energy, "J/kg"),
         ],
     )
 

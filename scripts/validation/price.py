@@ -62,7 +62,7 @@ def batch(problem):
     """(setting, spacing) -> run."""
     _, settings, spacings, scene, at, _ = PROBLEMS[problem]
     numbered = enumerate(settings.items())
-    return {(label, d): Run(f"price_{problem}/{k}_{d:g}", scene, at(d) + more) for k, (label, more) in numbered for d in spacings}
+    return {(label, d): Run(f"price_{problem}/{k}_{d:g}", scene, at(d) + more + ["output.picture=false"]) for k, (label, more) in numbered for d in spacings}
 
 
 def runs():

@@ -40,7 +40,7 @@ class Run:
             stamp.parent.mkdir(parents=True, exist_ok=True)
             stamp.write_text(self.stamp())
             command = [os.environ["SPH_MPI_BIN"], str(ROOT / "inputs" / self.scene), "--threads", "1", "--quiet"]
-            command += ["--out", str(self.folder), "--set", "output.picture=false"]
+            command += ["--out", str(self.folder)]
             for setting in self.settings:
                 command += ["--set", setting]
             if (self.folder / "checkpoint.h5").exists():
