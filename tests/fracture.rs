@@ -18,7 +18,6 @@ use sph_mpi::particles::chunk::{CHUNK, Chunks};
 use sph_mpi::particles::{Column, Columns, ParticleId, Registry};
 use sph_mpi::scene::Scene;
 
-
 /// Where the large samples leave what they measure.
 fn large() -> Option<PathBuf> {
     std::env::var_os("SPH_MPI_FRACTURE").map(PathBuf::from)
@@ -174,9 +173,11 @@ impl Elements {
     /// `count` elements of the given edge, m.
     fn new(count: u64, edge: f64, seed: u64) -> Self {
         let basalt = basalt();
-        let material = MaterialTable { fracture: basalt.fracture.map(|table| FractureTable { seed, ..table }), ..basalt };
+        let material =
+            MaterialTable { fracture: basalt.fracture.map(|table| FractureTable { seed, ..table }), ..basalt };
         let particle_mass = DENSITY * edge * edge * edge;
-        let constants = [BodyConstants { particle_mass, smoothing_length: ETA * edge, particles: BODY, density: DENSITY }];
+        let constants =
+            [BodyConstants { particle_mass, smoothing_length: ETA * edge, particles: BODY, density: DENSITY }];
         let setup = Setup {
             dimension: 3,
             materials: &[material],
@@ -323,7 +324,8 @@ fn strength_grows_with_the_strain_rate_as_grady_and_kipp_say() {
 fn strength_of_elements_of_one_size() {
     let mut table = String::from("rate,peak,error,reference\n");
     for (rate, reference) in [(1.0, 53.5e6), (1e1, 54.1e6), (1e2, 54.8e6), (1e3, 68.8e6), (1e4, 191e6)] {
-        let pulled = Elements::new(size(2000, 20_000), 1e-3, 1).pull(rate, 1e-5 * if large().is_some() { 0.25 } else { 1.0 });
+        let pulled =
+            Elements::new(size(2000, 20_000), 1e-3, 1).pull(rate, 1e-5 * if large().is_some() { 0.25 } else { 1.0 });
         let _ = writeln!(table, "{rate},{},{},{reference}", pulled.peak, pulled.error);
         println!("{rate} {} {} {reference}", pulled.peak, pulled.error);
     }

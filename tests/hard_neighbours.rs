@@ -1,7 +1,6 @@
 //! Hard cases of few particles: too near, too far, too few, too fast, too thin. Where the cure is in the code, a comment says
 //! what the figure was when it was taken out.
 
-
 use sph_mpi::domain::comm::Comm;
 use sph_mpi::exact::shock::Medium;
 use sph_mpi::material::eos::EosTable;

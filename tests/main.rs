@@ -1,4 +1,5 @@
 //! All tests that need the whole program or several ranks, by topic, in one binary: it links once.
+
 mod allocations;
 mod architecture;
 mod balance;
