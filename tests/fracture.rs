@@ -6,7 +6,7 @@
 
 use std::fmt::Write;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use sph_mpi::exact::grady_kipp::GradyKipp;
 use sph_mpi::material::fracture::flaws::Flaws;
@@ -17,6 +17,8 @@ use sph_mpi::math::Deviator;
 use sph_mpi::particles::chunk::{CHUNK, Chunks};
 use sph_mpi::particles::{Column, Columns, ParticleId, Registry};
 use sph_mpi::scene::Scene;
+
+use crate::common::{Launch, PROGRAM};
 
 /// Where the large samples leave what they measure.
 fn large() -> Option<PathBuf> {
@@ -151,7 +153,7 @@ struct Elements {
     youngs_modulus: f64,
 }
 
-/// Particles of the body that the elements are taken from; the number of flaws depends on it through its logarithm.
+/// Particles of the body that most elements are taken from.
 const BODY: u64 = 100_000;
 /// Smoothing length over the edge of a cube of an element's volume, as in scenes.
 const ETA: f64 = 1.2;
@@ -170,14 +172,13 @@ fn crack_speed() -> f64 {
 }
 
 impl Elements {
-    /// `count` elements of the given edge, m.
-    fn new(count: u64, edge: f64, seed: u64) -> Self {
+    /// `count` elements of the given edge, m, of a body of `particles`; the number of flaws depends on these by their logarithm.
+    fn new(count: u64, particles: u64, edge: f64, seed: u64) -> Self {
         let basalt = basalt();
         let material =
             MaterialTable { fracture: basalt.fracture.map(|table| FractureTable { seed, ..table }), ..basalt };
         let particle_mass = DENSITY * edge * edge * edge;
-        let constants =
-            [BodyConstants { particle_mass, smoothing_length: ETA * edge, particles: BODY, density: DENSITY }];
+        let constants = [BodyConstants { particle_mass, smoothing_length: ETA * edge, particles, density: DENSITY }];
         let setup = Setup {
             dimension: 3,
             materials: &[material],
@@ -295,7 +296,7 @@ fn strength_grows_with_the_strain_rate_as_grady_and_kipp_say() {
     let count = size(2000, 20_000);
     let strain_of = |rate: f64| theory(rate).break_time * rate;
     let pull = |rate: f64, seed: u64| {
-        Elements::new(count, edge_at(rate), seed).pull(rate, strain_of(rate) / size(200, 1000) as f64)
+        Elements::new(count, BODY, edge_at(rate), seed).pull(rate, strain_of(rate) / size(200, 1000) as f64)
     };
     let alike: Vec<_> = [1.0, 1e3].iter().map(|&rate| (rate, pull(rate, 1).peak, 0.0)).collect();
     let slope = power_law(&alike).0;
@@ -318,16 +319,77 @@ fn strength_grows_with_the_strain_rate_as_grady_and_kipp_say() {
     keep("slope.csv", &table);
 }
 
-/// At a fixed size of 1 mm a slow pull waits for the next flaw to open, and a fast one for cracks to grow: the strength has one
-/// plateau at low rates and follows (growth time)^(...) at high ones. REFERENCE 3.10 has another ensemble.
+/// Elements of 1 mm. A slow pull breaks them as their flaws open, whatever the rate; a fast one has to wait for the cracks, which
+/// need 1.3 us for one flaw and less for more. Expected is the solution without time steps and with other random numbers of
+/// `scripts/validation/fracture/basalt.py`, for a body of 1e5 particles; its errors are below 0.06 MPa. REFERENCE 3.10 has 53.5,
+/// 54.1, 54.8, 68.8 and 191 MPa for a body of a size that it does not name. At low rates the strength depends on that, as D is
+/// bounded by n_act / n_tot: 52.8 MPa for 1e4 particles, 54.0 for 1e5.
 #[test]
 fn strength_of_elements_of_one_size() {
-    let mut table = String::from("rate,peak,error,reference\n");
-    for (rate, reference) in [(1.0, 53.5e6), (1e1, 54.1e6), (1e2, 54.8e6), (1e3, 68.8e6), (1e4, 191e6)] {
-        let pulled =
-            Elements::new(size(2000, 20_000), 1e-3, 1).pull(rate, 1e-5 * if large().is_some() { 0.25 } else { 1.0 });
-        let _ = writeln!(table, "{rate},{},{},{reference}", pulled.peak, pulled.error);
-        println!("{rate} {} {} {reference}", pulled.peak, pulled.error);
+    let step = if large().is_some() { 2.5e-6 } else { 1e-5 };
+    let mut table = String::from("rate,peak,error\n");
+    let mut curves = String::from("rate,strain,stress\n");
+    for (rate, expected) in [(1.0, 54.007e6), (1e1, 54.086e6), (1e2, 55.028e6), (1e3, 68.664e6), (1e4, 191.574e6)] {
+        let Pulled { peak, error, curve } = Elements::new(size(2000, 20_000), BODY, 1e-3, 1).pull(rate, step);
+        // Three errors of the sample, one of the expected figure, and one step: a flaw opens and grows at its end.
+        let tolerance = 3.0 * error + 0.06e6 + step * youngs_modulus();
+        assert!((peak - expected).abs() < tolerance, "{peak} +- {error} at {rate}, expected {expected}");
+        let _ = writeln!(table, "{rate},{peak},{error}");
+        curve.iter().step_by(4).for_each(|(strain, stress)| {
+            let _ = writeln!(curves, "{rate},{strain:e},{stress:e}");
+        });
     }
     keep("fixed_size.csv", &table);
+    keep("curves.csv", &curves);
+}
+
+/// Largest mean tension along x in the middle of a bar of `inputs/tensile_bar.toml`, Pa, at a strain rate, 1/s.
+fn bar(rate: f64, cfl: f64, until: f64) -> f64 {
+    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("inputs/tensile_bar.toml");
+    let folder = tempfile::tempdir().expect("a temporary directory");
+    let run = folder.path().join("run");
+    // Poisson's ratio of basalt; the grips begin 17 mm from the middle.
+    let (sideways, grip) = (-0.1688 * rate, 0.017 * rate);
+    let settings = [
+        format!("bar.flow={{ stretch = [{rate}, {sideways}, {sideways}] }}"),
+        format!("layer.0.motion={{ velocity = [-{grip}, 0, 0] }}"),
+        format!("layer.1.motion={{ velocity = [{grip}, 0, 0] }}"),
+        format!("numerics.cfl={cfl}"),
+        format!("run.until={until}"),
+    ];
+    let mut args = vec![scene.to_str().expect("a plain path"), "--out", run.to_str().expect("a plain path"), "--quiet"];
+    settings.iter().for_each(|setting| args.extend(["--set", setting]));
+    Launch::alone(PROGRAM, &args).run().expect_code(0);
+    let snapshots = fs::read_dir(&run).expect("a run").flatten().map(|entry| entry.path());
+    snapshots
+        .filter(|path| path.extension().is_some_and(|e| e == "vtkhdf"))
+        .map(|path| tension(&path))
+        .fold(0.0, f64::max)
+}
+
+/// Mean tension along x within 12 mm of the middle, Pa.
+fn tension(snapshot: &Path) -> f64 {
+    let file = hdf5::File::open(snapshot).unwrap_or_else(|e| panic!("{}: {e}", snapshot.display()));
+    let read = |name: &str| file.dataset(&format!("/VTKHDF/{name}")).unwrap().read_raw::<f64>().unwrap();
+    let (points, damage) = (read("Points"), read("PointData/damage"));
+    let (pressure, stress) = (read("PointData/pressure"), read("PointData/deviatoric_stress"));
+    let width = stress.len() / damage.len();
+    let middle = (0..damage.len()).filter(|i| points[3 * i].abs() < 0.012);
+    let tension = |i: usize| {
+        let stress = Deviator { xx: stress[width * i], ..Default::default() };
+        damaged_stress(&stress, pressure[i], damage[i]).xx
+    };
+    mean(&middle.map(tension).collect::<Vec<_>>()).0
+}
+
+/// A bar of 3960 particles of 1 mm^3 is as strong as as many elements by themselves, at rates at which cracks grow faster than
+/// waves carry the load of a broken particle to its neighbours. The means of both samples have errors below 1 per cent each, and
+/// the bar's peak is seen in one of some 50 snapshots.
+#[test]
+fn a_bar_is_as_strong_as_its_elements() {
+    for (rate, cfl, until) in [(1e3, 0.05, 2e-6), (1e4, 0.02, 6e-7)] {
+        let elements = Elements::new(3960, 3960, 1e-3, 1).pull(rate, 1e-5);
+        let bar = bar(rate, cfl, until);
+        assert!((bar / elements.peak - 1.0).abs() < 0.03, "{bar} of {} at {rate}", elements.peak);
+    }
 }
