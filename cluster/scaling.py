@@ -37,7 +37,7 @@ class Run:
         self.wall = found["wall_seconds"] / steps
         self.core = found["core_seconds"] / steps
         self.wait = found["mpi_wait_seconds"] / (found["wall_seconds"] * self.ranks)
-        self.speed = found["particles"] / self.core * self.ranks * self.threads
+        self.speed = found["particles"] / self.core * min(self.ranks * self.threads, cores())
         self.memory = found["bytes_per_particle"] * found["particles"] / self.ranks
         self.ghosts = found["ghost_fraction"] * found["particles"] / self.ranks
         self.life = found["steps"] / found["list_builds"]
@@ -117,8 +117,8 @@ PREDICTIONS = ["run", "wall ms", "off", "core ms", "off", "MB per rank", "off", 
 def curves(strong, weak):
     """Rows of (series, mark, x, y) for the figure of speed-ups."""
     ranks = sorted({run.ranks for run in strong + weak})
-    yield from (("as many as ranks", "dashed", n, n) for n in ranks)
-    yield from (("strong, as predicted", "line", run.ranks, run.predicted["speedup"]) for run in strong)
+    yield from (("as many as cores", "dashed", n, min(n, cores())) for n in ranks)
+    yield from (("strong, as predicted", "line", run.ranks, run.predicted["speedup"] / run.shared) for run in strong)
     for name, runs in (("strong", strong), ("weak", weak)):
         first = runs[0]
         yield from ((f"{name}, by core-seconds", "points", run.ranks, run.speed / first.speed) for run in runs)
@@ -143,7 +143,8 @@ def main(out):
         lines += [f"## {titles[name]}", ""] + table(SPEEDS, speeds(kinds[name], first))
     lines += ["## Predicted / measured", ""] + table(PREDICTIONS, predictions(strong + weak))
     if any(run.shared > 1 for run in runs):
-        lines += [f"\\* more than the {cores()} cores: wall times are predicted for as many turns as ranks share a core.", ""]
+        note = "which count once in the speed; wall times are predicted for as many turns as ranks share a core"
+        lines += [f"\\* more than the {cores()} cores, {note}.", ""]
     print("\n".join(lines))
     with open(out / "curves.csv", "w", newline="") as file:
         csv.writer(file).writerows(curves(strong, weak))

@@ -1,4 +1,4 @@
-"""The table of scripts/bench from what it left in a directory: ceiling.txt and three runs of one impact."""
+"""The table of scripts/bench from what it left in a directory: ceiling.txt and runs of one impact."""
 
 import json
 import os
@@ -25,10 +25,32 @@ def speedup(single, double):
     return f"{by_core:.2f} by core-seconds, {single['wall_seconds'] / double['wall_seconds']:.2f} by wall time"
 
 
+def step_seconds(run, phases=None):
+    """Core-seconds of a particle's step: of these phases, or of all but what comes at the end of a run."""
+    end = ("outcome", "output")
+    share = sum(s for name, s in run["phases"].items() if (name in phases if phases else name not in end))
+    return share * run["core_seconds"] / (run["steps"] * run["particles"])
+
+
+def effects(directory):
+    """What each effect costs: runs with it and without."""
+    runs = {path.name[7:]: json.loads((path / "summary.json").read_text()) for path in directory.glob("effect_*")}
+    base = runs.pop("none")
+    pairs = next(name for name in base["phases"] if name.startswith("pairs"))
+    added = ("artificial_stress", "smoothing_length")
+    lines = ["| effect | pair phase with it / without | whole step with it / without |", "|---|---:|---:|"]
+    for name in ("viscosity", "corrected_gradient", "record", "fracture", "strength", *added):
+        other, reference = runs[name], runs["fracture"] if name == "strength" else base
+        ratios = [step_seconds(other, part) / step_seconds(reference, part) for part in ((pairs,), None)]
+        ratios = ratios if name in added else [1 / ratio for ratio in ratios]
+        lines.append(f"| {name} | {ratios[0]:.2f} | {ratios[1]:.2f} |")
+    return "\n".join(lines)
+
+
 def main(directory, options):
     ceiling_text = (directory / "ceiling.txt").read_text()
-    runs = {name: json.loads((directory / name / "summary.json").read_text()) for name in ("single", "ranks", "threads")}
-    if len({run["state_hash"] for run in runs.values()}) != 1:
+    runs = {name: json.loads((directory / name / "summary.json").read_text()) for name in ("single", "ranks", "threads", "small", "large")}
+    if len({runs[name]["state_hash"] for name in ("single", "ranks", "threads")}) != 1:
         sys.exit("error: the three runs ended in different states")
 
     ceiling = ceiling_of(ceiling_text)
@@ -37,19 +59,30 @@ def main(directory, options):
     pair_share = next(share for name, share in run["phases"].items() if name.startswith("pairs"))
     pairs = whole / pair_share
     particles, steps = run["particles"], run["steps"]
+    # The pair pass reads what packing has laid out: both belong to it.
+    pack = run["phases"].get("pack", 0.0)
+    small, large = runs["small"], runs["large"]
     rows = [
         ("ceiling, 1e6 interactions per core-second", f"{ceiling:.1f}"),
         ("pair phase with rates and corrector, 1e6 interactions per core-second", f"{pairs:.1f}"),
         ("share of the ceiling", f"{pairs / ceiling:.3f}"),
+        ("the same with packing", f"{whole / (pair_share + pack):.1f}"),
+        ("share of the ceiling", f"{whole / (pair_share + pack) / ceiling:.3f}"),
         ("whole run, 1e6 interactions per core-second", f"{whole:.1f}"),
         ("share of the ceiling", f"{whole / ceiling:.3f}"),
         ("updates per core-second", f"{run['updates_per_core_second']:.3g}"),
         ("interactions per update", f"{run['pair_interactions'] / (steps * particles):.1f}"),
-        ("bytes per particle", f"{run['bytes_per_particle']:.0f}"),
+        (f"bytes per particle, {particles} particles", f"{run['bytes_per_particle']:.0f}"),
         ("of these, lists", f"{run['list_bytes_per_particle']:.0f}"),
+        (f"bytes per particle, {large['particles']} particles", f"{large['bytes_per_particle']:.0f}"),
+        ("of these, lists", f"{large['list_bytes_per_particle']:.0f}"),
+        ("microseconds of a particle's step, 1e4 particles", f"{1e6 * step_seconds(small):.3f}"),
+        ("microseconds of a particle's step, 1e6 particles", f"{1e6 * step_seconds(large):.3f}"),
+        ("their ratio", f"{step_seconds(large) / step_seconds(small):.2f}"),
         ("life of a list, steps", f"{steps / run['list_builds']:.1f}"),
         ("two ranks against one", speedup(run, runs["ranks"])),
         ("two threads against one", speedup(run, runs["threads"])),
+        ("wait of two ranks, exposed", f"{runs['ranks']['mpi_wait_seconds'] / 2 / runs['ranks']['wall_seconds']:.3f} of wall time"),
     ]
     print("# Speed\n")
     print(f"{processor()}. Impact with strength, damage and corrected gradient: {particles} particles, {steps} steps,")
@@ -59,7 +92,10 @@ def main(directory, options):
     for name, value in rows:
         print(f"| {name:{width}} | {value} |")
     phases = [f"{name} {100 * share:.1f}" for name, share in run["phases"].items() if share >= 0.0005]
-    print(f"\nPhases in per cent: {', '.join(phases)}.\n\n## Pair loops beside the ceiling\n")
+    print(f"\nPhases in per cent: {', '.join(phases)}.\n\n## What each effect costs\n")
+    print(effects(directory))
+    print("\nThe impact has viscosity, corrected gradient, records, fracture and strength; the last two rows add what it does not have.")
+    print("\n## Pair loops beside the ceiling\n")
     print(ceiling_text.strip())
 
 

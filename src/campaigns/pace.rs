@@ -9,7 +9,7 @@ use crate::domain::comm::Comm;
 use crate::error::Result;
 use crate::material::BodyConstants;
 use crate::math::Vec3;
-use crate::particles::{Columns, Periods, ParticleId};
+use crate::particles::{Columns, ParticleId, Periods};
 use crate::random::uniform;
 use crate::scene::Scene;
 use crate::simulation::{report, resources, setup};

@@ -82,7 +82,7 @@ mod tests {
         GradyKipp::new(k, m, 0.4 * basalt().longitudinal_speed(), basalt().youngs_modulus(3), rate).unwrap()
     }
 
-    /// REFERENCE 3.10: basalt of Benz & Asphaug 1999 and of Nakamura et al. 2007, to three digits.
+    /// An independent evaluation: basalt of Benz & Asphaug 1999 and of Nakamura et al. 2007, to three digits.
     #[test]
     fn tabulated_strengths() {
         for (rate, strength, nakamura, break_time) in [

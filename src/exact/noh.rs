@@ -56,7 +56,7 @@ impl Noh {
 mod tests {
     use super::*;
 
-    /// REFERENCE 3.3: 64, 64/3, the shock at t/3, (1 + t/r)^2 outside.
+    /// Noh 1987: 64, 64/3, the shock at t/3, (1 + t/r)^2 outside.
     #[test]
     fn spherical_implosion_of_a_monatomic_gas() {
         let noh = Noh::new(3, 5.0 / 3.0, 1.0, 1.0).unwrap();

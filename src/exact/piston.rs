@@ -133,7 +133,7 @@ mod tests {
         Solid { medium: basalt(), shear_modulus: 22.7e9, yield_strength: 3.5e9, melt_energy: None }
     }
 
-    /// REFERENCE 3.4, to the digits given: aluminium at 100 and 500 m/s, basalt at 500 and 1000 m/s, without softening.
+    /// An independent solution, to the digits given: aluminium at 100 and 500 m/s, basalt at 500 and 1000 m/s, without softening.
     #[test]
     fn tabulated_pistons() {
         let slow = Piston::new(&metal(), 100.0).unwrap();

@@ -147,7 +147,7 @@ mod tests {
         [density * relative, density * velocity * relative + stress, energy * relative + stress * velocity]
     }
 
-    /// REFERENCE 3.3, to the six digits given.
+    /// Toro 2009, Riemann Solvers, section 4.3, for gamma = 1.4; an independent solution for 5/3; six digits.
     #[test]
     fn sod_tubes() {
         for (gamma, p, u, densities, shock, head, tail) in [

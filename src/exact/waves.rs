@@ -99,12 +99,12 @@ pub(super) mod tests {
         Elastic::new(26.7e9, 22.7e9, 2700.0).unwrap()
     }
 
-    /// The solid of the colliding rings, in units of its own (REFERENCE 3.4).
+    /// The solid of the colliding rings, in units of its own (Gray, Monaghan & Swift 2001).
     pub fn rubber() -> Elastic {
         Elastic::new(1.0, 0.22, 1.0).unwrap()
     }
 
-    /// REFERENCE 3.4, to the digits given.
+    /// Evaluated by hand, to the digits given.
     #[test]
     fn tabulated_speeds() {
         let table = [

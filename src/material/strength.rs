@@ -202,7 +202,7 @@ mod tests {
         }
     }
 
-    /// REFERENCE 1.8, column 'correct': q after the return for a trial q, both over Y.
+    /// q after the return for a trial q, both over Y.
     #[test]
     fn yield_table() {
         let table = without_fracture(basalt()).strength.unwrap();
@@ -248,7 +248,7 @@ mod tests {
         assert_eq!(rig.get(rig.core.density.value), 2700.0);
     }
 
-    /// c_L = sqrt((K + 4/3 mu) / rho): 4593 m/s in basalt (REFERENCE 3.10: c_g = 0.4 c_L = 1837 m/s).
+    /// c_L = sqrt((K + 4/3 mu) / rho): 4593 m/s in basalt, so that cracks grow at c_g = 0.4 c_L = 1837 m/s (Benz & Asphaug 1995).
     #[test]
     fn sound_is_longitudinal() {
         let mut rig = Rig::new(without_fracture(basalt()));

@@ -9,7 +9,7 @@ use crate::math::{Deviator, Mat3};
 use crate::particles::chunk::{CHUNK, Chunks};
 use crate::particles::{Column, Columns, Element, ParticleId, Registry};
 
-/// Benz & Asphaug 1999 (REFERENCE 2.1, 2.2).
+/// Benz & Asphaug 1999, Icarus 142, 5.
 pub fn basalt() -> MaterialTable {
     toml::from_str(
         r#"

@@ -183,7 +183,7 @@ mod tests {
         assert!((matrix(&s.turned_by(&l)) - expected).norm() < 1e-14);
     }
 
-    /// REFERENCE E6: turning diag(1, -1, 0) by 45 degrees (counter-clockwise) gives S_xy = +1.
+    /// Turning diag(1, -1, 0) by 45 degrees (counter-clockwise) gives S_xy = +1.
     #[test]
     fn rotation_by_45_degrees_gives_positive_shear() {
         let l = Mat3::new(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0);

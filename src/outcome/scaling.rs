@@ -69,7 +69,7 @@ impl ThresholdFit {
 mod tests {
     use super::*;
 
-    /// REFERENCE 3.7: values at 0.1 m, 1 m, 100 m, 1 km, 10 km, 100 km to four figures, and the weakest radius.
+    /// The fits by hand: values at 0.1 m, 1 m, 100 m, 1 km, 10 km, 100 km to four figures, and the weakest radius.
     #[test]
     fn fits_give_the_tabulated_values() {
         let radii = [0.1, 1.0, 100.0, 1e3, 1e4, 1e5];

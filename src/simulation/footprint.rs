@@ -18,6 +18,10 @@ use crate::scene::Scene;
 const LOOSE: usize =
     size_of::<outcome::Particle>() + 4 * size_of::<outcome::Piece>() + 2 * (size_of::<Source>() + size_of::<Target>());
 
+/// Bytes that libraries take on a rank once files and messages are used, over what they took at the start: about this much
+/// with OpenMPI and HDF5, as runs of few particles show.
+const LIBRARIES: f64 = 1e7;
+
 /// Memory of one of equally loaded ranks.
 #[derive(Debug, Clone)]
 pub struct Footprint {
@@ -36,7 +40,7 @@ pub struct Footprint {
     /// Entries of a particle's row in the list: rows end anywhere in their last group of lanes.
     pub row: f64,
     /// What, and its bytes on a rank.
-    pub parts: [(&'static str, f64); 6],
+    pub parts: [(&'static str, f64); 7],
     /// Numbers that a ghost record sends.
     pub layout: Layout,
 }
@@ -74,6 +78,7 @@ impl Footprint {
             ("search for neighbours, beyond these", beyond(search)),
             ("outcome, beyond these", beyond(outcome.max(search)) - beyond(search)),
             ("ghost messages", 2.0 * ghosts * 8.0 * layout.words() as f64),
+            ("libraries", LIBRARIES),
         ];
         let ghosts_per_cell = reach.powi(dimension as i32);
         Self { particles, owned, ghosts, peers: peers(&cuts), ghosts_per_cell, neighbours, row, parts, layout }

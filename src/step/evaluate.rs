@@ -14,7 +14,8 @@ use crate::math::{Mat3, Sym};
 use crate::motion::Motions;
 use crate::pair::{Layout, PairLoop, RowSums, Rows, correction};
 use crate::particles::chunk::{CHUNK, Chunk};
-use crate::particles::{Registry, Shape};
+use crate::particles::columns::Entry;
+use crate::particles::{Life, Registry, Shape};
 
 /// What a thread needs for a chunk, and what it finds out.
 pub struct Workspace {
@@ -25,7 +26,7 @@ pub struct Workspace {
     new_rates: Vec<Vec<Cell<u64>>>,
     /// Tightest limit since the last [`Workspace::take`].
     limit: Limit,
-    /// Columns that are looked through after prediction: numbers, but not the rates, which were looked at when made.
+    /// Columns that are looked through after prediction, see [`is_watched`].
     watched: Vec<usize>,
     /// First particle with a number that is none, by id, since then.
     bad: Option<Bad>,
@@ -46,7 +47,7 @@ impl Workspace {
             acceleration: vec![0.0; CHUNK * registry.dimension],
             new_rates: registry.integrated.iter().map(block).collect(),
             limit: Limit::NONE,
-            watched: (0..registry.entries.len()).filter(|&index| is_watched(registry, index)).collect(),
+            watched: (0..registry.entries.len()).filter(|&index| is_watched(&registry.entries[index])).collect(),
             bad: None,
             pairs: 0,
             effects: vec![Cell::default(); effects],
@@ -290,8 +291,10 @@ impl Physics<'_> {
     }
 }
 
-fn is_watched(registry: &Registry, index: usize) -> bool {
-    registry.entries[index].shape != Shape::Id && registry.integrated.iter().all(|&(_, rate)| rate != index)
+/// Numbers that snapshots show, and those that follow from the state. The others are rates, which are looked at when they are
+/// made, and values at the last list build.
+fn is_watched(entry: &Entry) -> bool {
+    entry.shape != Shape::Id && (entry.info.snapshot || entry.info.life == Life::Scratch)
 }
 
 fn gradient(dimension: usize, sums: &[f64; 9]) -> Mat3 {

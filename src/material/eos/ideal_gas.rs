@@ -47,7 +47,7 @@ impl IdealGas {
 mod tests {
     use super::*;
 
-    /// Left state of Sod's tube (REFERENCE 3.3): rho = 1, P = 1, gamma = 1.4, c = sqrt(1.4).
+    /// Left state of Sod's tube (Sod 1978, J. Comp. Phys. 27, 1): rho = 1, P = 1, gamma = 1.4, c = sqrt(1.4).
     #[test]
     fn pressure_and_sound_speed_of_sods_left_state() {
         let gas = IdealGas { gamma: 1.4 };

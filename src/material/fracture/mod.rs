@@ -16,7 +16,7 @@
 //! Columns: owns `damage` and `activation_threshold`. D grows in `update` alone and never decreases.
 //! Time step: none; at a Courant number of 0.25 and with 12 active flaws D^(1/3) grows by 0.11 per step.
 
-mod flaws;
+pub mod flaws;
 
 use serde::{Deserialize, Serialize};
 

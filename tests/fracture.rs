@@ -1,0 +1,333 @@
+//! Is rock as strong as its flaws say? Numbers of flaws and thresholds against the Weibull distribution, strength against strain
+//! rate of single elements against the theory of Grady & Kipp, and a bar that is pulled apart against single elements.
+//!
+//! `SPH_MPI_FRACTURE=DIR` makes the samples of `scripts/validate_fracture` instead, some ten times as large, and leaves what is
+//! measured in DIR; the tolerances follow the size of the samples.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::PathBuf;
+
+use sph_mpi::exact::grady_kipp::GradyKipp;
+use sph_mpi::material::fracture::flaws::Flaws;
+use sph_mpi::material::fracture::{DAMAGE, FractureTable, damaged_stress};
+use sph_mpi::material::strength::DEVIATORIC_STRESS;
+use sph_mpi::material::{BodyConstants, Core, Local, MaterialEffect, MaterialTable, Setup, effects};
+use sph_mpi::math::Deviator;
+use sph_mpi::particles::chunk::{CHUNK, Chunks};
+use sph_mpi::particles::{Column, Columns, ParticleId, Registry};
+use sph_mpi::scene::Scene;
+
+/// Where the large samples leave what they measure.
+fn large() -> Option<PathBuf> {
+    std::env::var_os("SPH_MPI_FRACTURE").map(PathBuf::from)
+}
+
+/// The size of a sample: of the test, or of the validation.
+fn size(small: u64, full: u64) -> u64 {
+    if large().is_some() { full } else { small }
+}
+
+/// Leaves a table of the validation.
+fn keep(name: &str, table: &str) {
+    if let Some(folder) = large() {
+        fs::create_dir_all(&folder).expect("a folder for the tables");
+        fs::write(folder.join(name), table).expect("a table can be written");
+    }
+}
+
+/// Basalt of the library: flaws of Benz & Asphaug 1999.
+fn basalt() -> MaterialTable {
+    let text = "[[body]]\nname = \"rock\"\nshape = { sphere = { radius = 1 } }\nmaterial = \"basalt\"\nspacing = 0.2\n\
+        [material.basalt]\nstrength = true\nfracture = true\n[run]\nuntil = 1";
+    Scene::parse("basalt.toml", text, &[]).expect("a good scene").materials.remove(0)
+}
+
+fn flaws_of(material: &MaterialTable, seed: u64, volume: f64, particles: u64) -> Flaws {
+    Flaws::new(&FractureTable { seed, ..material.fracture.expect("basalt breaks") }, volume, particles)
+}
+
+/// A ball of 3 cm, as in the laboratory, m^3.
+const BALL: f64 = 4.0 / 3.0 * std::f64::consts::PI * 2.7e-5;
+
+/// k and m of Benz & Asphaug 1999.
+const K: f64 = 4.0e35;
+const M: f64 = 9.0;
+
+/// Deviation of the sorted sample from the uniform distribution on (0, 1), times the root of its size: above 1.63 for one sample
+/// in a hundred (Kolmogorov).
+fn kolmogorov(mut sample: Vec<f64>) -> f64 {
+    sample.sort_by(f64::total_cmp);
+    let n = sample.len() as f64;
+    let gap = |(i, x): (usize, &f64)| (x - i as f64 / n).max((i + 1) as f64 / n - x);
+    sample.iter().enumerate().map(gap).fold(0.0, f64::max) * n.sqrt()
+}
+
+/// Mean and the standard error of the mean.
+fn mean(sample: &[f64]) -> (f64, f64) {
+    let n = sample.len() as f64;
+    let mean = sample.iter().sum::<f64>() / n;
+    let square = sample.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>();
+    (mean, (square / (n - 1.0) / n).sqrt())
+}
+
+/// The original assignment gives flaws to particles one by one until each has one: N (ln N + 0.577) of them in the mean, with a
+/// standard deviation of 1.28 N. Ours are N Poisson processes up to mu = ln N + 0.577, and a flaw for each that has none: their
+/// expected number is N (mu + exp(-mu)) and its variance below N mu, so that it has to come far nearer.
+#[test]
+fn flaws_are_as_many_as_in_the_original_assignment() {
+    let mut table = String::from("particles,flaws,expected,deviation,original\n");
+    for n in [1000, 10_000, size(30_000, 1_000_000)] {
+        let flaws = flaws_of(&basalt(), 1, BALL / n as f64, n);
+        let total: u64 = (0..n).map(|site| u64::from(flaws.count(ParticleId::new(0, site), 1.0).1)).sum();
+        let (mu, n) = ((n as f64).ln() + 0.577, n as f64);
+        let (expected, deviation) = (n * (mu + (-mu).exp()), (n * mu).sqrt());
+        assert!((total as f64 - expected).abs() < 4.0 * deviation, "{n}: {total} for {expected} +- {deviation}");
+        assert!((total as f64 - n * mu).abs() < 1.3 * n, "{n}: {total}");
+        let _ = writeln!(table, "{n},{total},{expected},{deviation},{}", n * mu);
+    }
+    keep("flaws.csv", &table);
+}
+
+/// The weakest flaw of a particle: P(eps_1 < eps) = 1 - exp(-k V eps^m).
+#[test]
+fn the_weakest_flaw_of_a_particle_follows_weibull() {
+    let mut table = String::from("seed,particles,kolmogorov\n");
+    for seed in 1..=size(3, 10) {
+        let n = size(20_000, 100_000);
+        let (volume, flaws) = (BALL / n as f64, flaws_of(&basalt(), seed, BALL / n as f64, n));
+        let thresholds: Vec<f64> = (0..n).map(|site| flaws.weakest(ParticleId::new(0, site))).collect();
+        let distance = kolmogorov(thresholds.iter().map(|eps| -(-K * volume * eps.powf(M)).exp_m1()).collect());
+        assert!(distance < 1.63, "seed {seed}: {distance}");
+        let _ = writeln!(table, "{seed},{n},{distance}");
+        if seed == 1 {
+            let mut thresholds = thresholds;
+            thresholds.sort_by(f64::total_cmp);
+            let lines: Vec<String> = thresholds.iter().step_by(100).map(|eps| format!("{eps:e}\n")).collect();
+            keep("thresholds.csv", &format!("threshold\n{}", lines.concat()));
+        }
+    }
+    keep("kolmogorov.csv", &table);
+}
+
+/// The weakest flaw of a body: k V eps^m is an exponential draw, so that its threshold lies about (k V)^(-1/m), whatever the
+/// number of particles, and falls with the volume as V^(-1/m).
+#[test]
+fn strength_falls_with_volume_as_weibull_says() {
+    let seeds = size(300, 2000);
+    let mut table = String::from("volume,particles,mean_ln_threshold,error,expected,kolmogorov\n");
+    let mut means = Vec::new();
+    for (n, volume) in [(100, BALL * 1e-2), (1000, BALL * 1e-1), (1000, BALL), (10_000, BALL)] {
+        let weakest = |seed| {
+            let flaws = flaws_of(&basalt(), seed, volume / n as f64, n);
+            (0..n).map(|site| flaws.weakest(ParticleId::new(0, site))).fold(f64::MAX, f64::min)
+        };
+        let sample: Vec<f64> = (1..=seeds).map(weakest).collect();
+        let distance = kolmogorov(sample.iter().map(|eps| -(-K * volume * eps.powf(M)).exp_m1()).collect());
+        assert!(distance < 1.63, "{n} particles in {volume:e}: {distance}");
+        // The mean logarithm of an exponential draw is minus Euler's constant.
+        let expected = -((K * volume).ln() + 0.577_215_664_9) / M;
+        let (found, error) = mean(&sample.iter().map(|eps| eps.ln()).collect::<Vec<_>>());
+        assert!((found - expected).abs() < 4.0 * error, "{n} in {volume:e}: {found} +- {error}, expected {expected}");
+        let _ = writeln!(table, "{volume:e},{n},{found},{error},{expected},{distance}");
+        means.push((volume.ln(), found, error));
+    }
+    let (first, last) = (means[0], means[2]);
+    let (slope, error) = ((last.1 - first.1) / (last.0 - first.0), first.2.hypot(last.2) / (last.0 - first.0));
+    assert!((slope + 1.0 / M).abs() < 4.0 * error, "V^{slope} +- {error}");
+    keep("volumes.csv", &table);
+}
+
+/// Elements of basalt that are pulled apart by themselves: particles of one body, to which the program's fracture is applied and
+/// nothing else.
+struct Elements {
+    columns: Columns,
+    fracture: Box<dyn MaterialEffect>,
+    constants: [BodyConstants; 1],
+    core: Core,
+    damage: Column<f64>,
+    stress: Column<Deviator>,
+    /// Pa.
+    youngs_modulus: f64,
+}
+
+/// Particles of the body that the elements are taken from; the number of flaws depends on it through its logarithm.
+const BODY: u64 = 100_000;
+/// Smoothing length over the edge of a cube of an element's volume, as in scenes.
+const ETA: f64 = 1.2;
+/// Bulk and shear modulus of basalt, Pa, and its density, kg/m^3.
+const MODULI: (f64, f64) = (26.7e9, 22.7e9);
+const DENSITY: f64 = 2700.0;
+
+/// Of basalt, Pa.
+fn youngs_modulus() -> f64 {
+    9.0 * MODULI.0 * MODULI.1 / (3.0 * MODULI.0 + MODULI.1)
+}
+
+/// How fast cracks grow in basalt, m/s.
+fn crack_speed() -> f64 {
+    0.4 * ((MODULI.0 + 4.0 / 3.0 * MODULI.1) / DENSITY).sqrt()
+}
+
+impl Elements {
+    /// `count` elements of the given edge, m.
+    fn new(count: u64, edge: f64, seed: u64) -> Self {
+        let basalt = basalt();
+        let material =
+            MaterialTable { fracture: basalt.fracture.map(|table| FractureTable { seed, ..table }), ..basalt };
+        let particle_mass = DENSITY * edge * edge * edge;
+        let constants =
+            [BodyConstants { particle_mass, smoothing_length: ETA * edge, particles: BODY, density: DENSITY }];
+        let setup = Setup {
+            dimension: 3,
+            materials: &[material],
+            body_material: &[0],
+            constants: &constants,
+            initial_damage: &[0.0],
+            records: Default::default(),
+            smoothing_length: None,
+        };
+        let mut registry = Registry::new(3);
+        let (core, effects) = effects(&setup, &mut registry);
+        let fracture = effects.into_iter().find(|effect| effect.name() == "fracture").expect("basalt breaks");
+        let (damage, stress) = (registry.find(DAMAGE).unwrap(), registry.find(DEVIATORIC_STRESS).unwrap());
+        let mut columns = Columns::new(registry);
+        columns.resize(count as usize);
+        (0..count).for_each(|site| columns.set(core.id, site as usize, ParticleId::new(0, site)));
+        let mut elements =
+            Self { columns, fracture, constants, core, damage, stress, youngs_modulus: youngs_modulus() };
+        elements.each(0.0, |effect, local| effect.initialise(local));
+        elements
+    }
+
+    fn each(&mut self, dt: f64, act: impl Fn(&dyn MaterialEffect, &Local)) {
+        let len = self.columns.len();
+        let chunks = Chunks::new(&mut self.columns, Vec::new());
+        for start in (0..len).step_by(CHUNK) {
+            let range = start..(start + CHUNK).min(len);
+            let bodies = vec![0u16; range.len()];
+            // SAFETY: one chunk lives at a time.
+            let chunk = unsafe { chunks.chunk(range) };
+            let (bodies, constants) = (&bodies[..], &self.constants[..]);
+            act(self.fracture.as_ref(), &Local { chunk: &chunk, bodies, constants, motion: &[], new_rates: &[], dt });
+        }
+    }
+
+    /// The stress of undamaged rock that is pulled along x to a strain and free to contract.
+    fn stretch(&mut self, strain: f64) {
+        let sigma = self.youngs_modulus * strain;
+        let stress = Deviator { xx: 2.0 / 3.0 * sigma, yy: -sigma / 3.0, ..Default::default() };
+        for i in 0..self.columns.len() {
+            self.columns.set(self.stress, i, stress);
+            self.columns.set(self.core.pressure, i, -sigma / 3.0);
+        }
+    }
+
+    /// What the elements bear along x, Pa.
+    fn tension(&self, i: usize) -> f64 {
+        let columns = &self.columns;
+        let (stress, pressure) = (columns.get(self.stress, i), columns.get(self.core.pressure, i));
+        damaged_stress(&stress, pressure, columns.get(self.damage, i)).xx
+    }
+
+    /// Pulls at a strain rate, 1/s, in steps of a strain, until most of the strength is gone.
+    fn pull(mut self, rate: f64, step: f64) -> Pulled {
+        let mut pulled = Pulled { peak: 0.0, error: 0.0, curve: Vec::new() };
+        for k in 1.. {
+            let strain = step * k as f64;
+            self.stretch(strain);
+            self.each(step / rate, |effect, local| effect.update(local));
+            let tension: Vec<f64> = (0..self.columns.len()).map(|i| self.tension(i)).collect();
+            let (now, error) = mean(&tension);
+            pulled.curve.push((strain, now));
+            if now > pulled.peak {
+                (pulled.peak, pulled.error) = (now, error);
+            }
+            if now < 0.5 * pulled.peak {
+                break;
+            }
+        }
+        pulled
+    }
+}
+
+/// What pulling elements apart has shown.
+struct Pulled {
+    /// Largest mean stress, Pa, and its standard error.
+    peak: f64,
+    error: f64,
+    /// Mean stress over strain.
+    curve: Vec<(f64, f64)>,
+}
+
+/// The theory, for basalt at a strain rate.
+fn theory(rate: f64) -> GradyKipp {
+    GradyKipp::new(K, M, crack_speed(), youngs_modulus(), rate).expect("numbers above zero")
+}
+
+/// Edge of an element that is half as large as a crack reaches until all is broken, m.
+fn edge_at(rate: f64) -> f64 {
+    0.5 * crack_speed() * theory(rate).break_time
+}
+
+/// Slope and its standard error of ln y over ln x, from y and their relative errors.
+fn power_law(points: &[(f64, f64, f64)]) -> (f64, f64) {
+    let middle = points.iter().map(|p| p.0.ln()).sum::<f64>() / points.len() as f64;
+    let (mut square, mut product, mut variance) = (0.0, 0.0, 0.0);
+    for (x, y, error) in points {
+        let x = x.ln() - middle;
+        square += x * x;
+        product += x * y.ln();
+        variance += x * x * error * error;
+    }
+    (product / square, variance.sqrt() / square)
+}
+
+/// Elements whose size follows the rate, d = c_g t_f / 2, are alike at all rates: flaws per element, k V eps^m, and growth over
+/// the time of breaking, c_g t_f / R_s, do not depend on it. So the same elements (one seed) give the exponent 3 / (m + 3) of the
+/// theory to rounding, and other ones (a seed for each rate) within their scatter, which is below 2 per cent of it.
+///
+/// They are stronger than the theory has it, as a crack has to fill a sphere of 2h where 4/3 pi R_s^3 is 58 times the volume of an
+/// element: 1.34 of it (REFERENCE 3.10, another ensemble of 0-D elements, three digits).
+#[test]
+fn strength_grows_with_the_strain_rate_as_grady_and_kipp_say() {
+    let exponent = 3.0 / (M + 3.0);
+    let count = size(2000, 20_000);
+    let strain_of = |rate: f64| theory(rate).break_time * rate;
+    let pull = |rate: f64, seed: u64| {
+        Elements::new(count, edge_at(rate), seed).pull(rate, strain_of(rate) / size(200, 1000) as f64)
+    };
+    let alike: Vec<_> = [1.0, 1e3].iter().map(|&rate| (rate, pull(rate, 1).peak, 0.0)).collect();
+    let slope = power_law(&alike).0;
+    assert!((slope / exponent - 1.0).abs() < 1e-10, "{slope} in place of {exponent}");
+
+    let mut table = String::from("rate,edge,peak,error,theory\n");
+    let mut peaks = Vec::new();
+    for (k, rate) in [1.0, 1e1, 1e2, 1e3].into_iter().enumerate() {
+        let pulled = pull(rate, 11 + k as u64);
+        let (peak, error, exact) = (pulled.peak, pulled.error, theory(rate).peak_stress());
+        let _ = writeln!(table, "{rate},{:e},{peak},{error},{exact}", edge_at(rate));
+        let factor = peak / exact;
+        // One in the third digit of the reference's figure, and three errors of this one.
+        assert!((factor - 1.34).abs() < 0.01 + 3.0 * error / exact, "{factor} at {rate}");
+        peaks.push((rate, peak, error / peak));
+    }
+    let (slope, error) = power_law(&peaks);
+    assert!(3.0 * error < 0.02 * exponent, "the ensemble is too small: {error}");
+    assert!((slope / exponent - 1.0).abs() < 0.02, "{slope} +- {error} in place of {exponent}");
+    keep("slope.csv", &table);
+}
+
+/// At a fixed size of 1 mm a slow pull waits for the next flaw to open, and a fast one for cracks to grow: the strength has one
+/// plateau at low rates and follows (growth time)^(...) at high ones. REFERENCE 3.10 has another ensemble.
+#[test]
+fn strength_of_elements_of_one_size() {
+    let mut table = String::from("rate,peak,error,reference\n");
+    for (rate, reference) in [(1.0, 53.5e6), (1e1, 54.1e6), (1e2, 54.8e6), (1e3, 68.8e6), (1e4, 191e6)] {
+        let pulled =
+            Elements::new(size(2000, 20_000), 1e-3, 1).pull(rate, 1e-5 * if large().is_some() { 0.25 } else { 1.0 });
+        let _ = writeln!(table, "{rate},{},{},{reference}", pulled.peak, pulled.error);
+        println!("{rate} {} {} {reference}", pulled.peak, pulled.error);
+    }
+    keep("fixed_size.csv", &table);
+}
