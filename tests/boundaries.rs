@@ -403,8 +403,8 @@ fn damping_layers_swallow_waves() {
             // What the integrator takes from the shortest waves: 1.6 % with cfl = 0.25, its third power less here.
             let lost = (after.balance() - before.balance()) / before.energy();
             assert!(lost.abs() < 2e-3, "{damping}: {lost}");
-            // Waves of 20 particles lag behind, and so fade more; at half the spacing the figures agree to 1e-3 of what comes in.
-            // Within 4 us the onset is as short as the kernel and differs.
+            // Waves of 20 particles lag behind, and so fade more; at half the spacing the figures agree to 1e-3 of what comes
+            // in. Within 4 us the onset is as short as the kernel and differs.
             if damping != "4 us" {
                 assert!((kept - exact).abs() < 0.1 * exact + 2e-3, "{damping}: {kept} and {exact}");
             }

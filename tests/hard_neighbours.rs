@@ -135,7 +135,7 @@ fn rates<const D: usize>(text: &str, corrected: bool, groups: &[&[[f64; 3]]], co
 
 /// Where neighbours are too few to tell a gradient, the uncorrected one stands. Without the guard, three particles on a line
 /// that part with 1 km/s made strain rates of -5e4/s instead of -34/s, four in a plane -1152/s instead of -25/s; an impact
-/// fell to steps of 1e-4 of those before, and lost 6 % of its energy.
+/// fell to steps of 1e-4 of those before, and its energy drifted by 6 %.
 #[test]
 fn degenerate_neighbourhoods() {
     ranks(1, "hard_neighbours::degenerate_neighbourhoods", |comm| {
@@ -364,7 +364,8 @@ fn cold_expanded_matter() {
     assert!(seen >= 12);
 }
 
-/// A liquid pulled through all these states. With c^2 as it comes, the speed of sound is no number after a few steps.
+/// A liquid pulled through all these states. With c^2 as it comes, the speed of sound is no number after the
+/// first step.
 #[test]
 fn a_liquid_that_is_pulled_apart() {
     const LIQUID: &str = r#"

@@ -7,6 +7,10 @@ use crate::math::{Mat3, Sym};
 /// Largest trace(M^-1) that is used. With neighbours all around, M is about 1; one eigenvalue then may fall to 0.05. It does
 /// where neighbours lie in a plane or on a line, and all do in spray, whose few distant neighbours say nothing reliable
 /// about a gradient and would only let strain rates of single particles cut the time step.
+///
+/// In an impact at 5 km/s the trace was 3 inside a body and up to 10 at its faces and edges; above 20 particles had 6 to 23
+/// neighbours in the mean, above 100 fewer than 7. Limits from 20 to 1e4 gave the same run; with 5 a fifth of the particles
+/// would go uncorrected, all of them at surfaces; without a limit steps fell to 1e-4 of those before.
 const MOST_INVERSE: f64 = 20.0;
 
 /// No eigenvalue is below 1/[`MOST_INVERSE`] then, and the determinant not below its power. It must be asked for, too: of two
