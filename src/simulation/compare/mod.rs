@@ -23,7 +23,8 @@ impl Comparison {
     /// `None` where the scene names no solution; an error where its bodies do not make the problem that it names.
     pub fn new(scene: &Scene) -> Result<Option<Self>> {
         let Some(compare) = &scene.compare else { return Ok(None) };
-        let reference = solution::of(scene, compare).map_err(|e| e.at(format!("{}: compare", scene.path())).bad_input())?;
+        let reference =
+            solution::of(scene, compare).map_err(|e| e.at(format!("{}: compare", scene.path())).bad_input())?;
         Ok(Some(Self { reference, title: scene.title.clone() }))
     }
 
