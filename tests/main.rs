@@ -19,3 +19,4 @@ mod ranks_domain;
 mod ranks_outcome;
 mod sameness;
 mod scenes;
+mod studies;
