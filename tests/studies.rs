@@ -27,11 +27,11 @@ run.until = 0.06
 [study.resolution]
 driver.spacing = ["20 mm", "15 mm", "10 mm"]
 driven.spacing = ["20 mm", "15 mm", "10 mm"]
-driver.size = [[0.6, 0.13856], [0.6, 0.10392], [0.6, 0.06928]]
-driven.size = [[0.6, 0.13856], [0.6, 0.10392], [0.6, 0.06928]]
-driver.position = [[-0.3, 0.06928], [-0.3, 0.05196], [-0.3, 0.03464]]
-driven.position = [[0.3, 0.06928], [0.3, 0.05196], [0.3, 0.03464]]
-domain.periodic.y = [[0, 0.13856], [0, 0.10392], [0, 0.06928]]
+driver.size = [[0.6, 0.27713], [0.6, 0.20785], [0.6, 0.13856]]
+driven.size = [[0.6, 0.27713], [0.6, 0.20785], [0.6, 0.13856]]
+driver.position = [[-0.3, 0.138565], [-0.3, 0.103925], [-0.3, 0.06928]]
+driven.position = [[0.3, 0.138565], [0.3, 0.103925], [0.3, 0.06928]]
+domain.periodic.y = [[0, 0.27713], [0, 0.20785], [0, 0.13856]]
 
 [study.vary]
 numerics.kernel = ["wendland_c2", "cubic_spline"]
@@ -156,7 +156,8 @@ fn accuracy_takes_the_cheapest_point_that_has_it() {
     let within = |k: &usize| (k - k % 3..k - k % 3 + 3).filter(|other| other >= k).all(|other| errors[other] <= asked);
     let cheapest = (0..6).filter(within).min_by(|&a, &b| costs[a].total_cmp(&costs[b])).expect("a point");
     let accuracy = format!("{asked}");
-    let args = ["tube.toml", "--out", "run", "--accuracy", &accuracy];
+    let scene = ["tube.toml", "--set", "run.until=0.06", "--accuracy"];
+    let args = [&scene[..], &[&accuracy, "--out", "run"]].concat();
     let out = launch(2, dir.path(), &args).run().expect_code(0);
     let log = fs::read_to_string(dir.path().join("run/log.txt")).expect("a log");
     for said in [&out.stderr, &log] {
@@ -176,12 +177,14 @@ fn accuracy_takes_the_cheapest_point_that_has_it() {
         let errors: Vec<&str> = out.stderr.lines().filter(|line| line.starts_with("error: ")).collect();
         assert!(errors.len() == 1 && says.iter().all(|part| errors[0].contains(part)), "{says:?}\n{}", out.stderr);
     };
-    let out = launch(1, dir.path(), &["tube.toml", "--accuracy", &accuracy, "--check"]).run().expect_code(0);
+    let out = launch(1, dir.path(), &[&scene[..], &[&accuracy, "--check"]].concat()).run().expect_code(0);
     assert!(out.stdout.contains("inputs/studies/tube.study.json chooses"), "{}", out.stdout);
     let says = ["tube.toml", "no setting", "0.0001 %", "allowed: ", "% and more, by ", "tube.study.json"];
-    refused(&["tube.toml", "--accuracy", "0.0001%"], &says);
-    let says = ["tube.toml", "has changed", "`body.1.density` was 0.125 kg/m^3 and now is 0.25 kg/m^3"];
-    refused(&["tube.toml", "--accuracy", "5%", "--set", "driven.density=0.25"], &says);
+    refused(&[&scene[..], &["0.0001%"]].concat(), &says);
+    let says = ["tube.toml", "has changed", "`body.1.density` was \"0.125 kg/m^3\" and now is \"0.25 kg/m^3\""];
+    refused(&[&scene[..], &["5%", "--set", "driven.density=0.25"]].concat(), &says);
+    // What the study sets is part of its question, and not put over the scene.
+    refused(&["tube.toml", "--accuracy", "5%"], &["has changed", "`run.until` was \"0.06 s\" and now is \"0.2 s\""]);
     fs::write(dir.path().join("other.toml"), SCENE.replace("density = 0.125", "density = 0.25")).expect("a scene");
     refused(&["other.toml", "--accuracy", "5%"], &["other.toml", "no study of this scene", "inputs/studies/"]);
 }

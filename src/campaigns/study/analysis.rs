@@ -9,6 +9,7 @@ use super::order::{Order, order};
 use super::pareto::{Price, Step, beyond, first_within, front, price};
 use super::points::{Study, understood};
 use super::record::Record;
+use super::settings::Change;
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Analysis {
@@ -29,6 +30,8 @@ pub struct Analysis {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BaseScene {
     pub path: String,
+    /// `[study.set]`, as after `--set`: a part of the question, which is not for `--accuracy` to change.
+    pub set: Vec<String>,
     /// Of the first point, hashed and in full: what a scene must give with that point's settings to be the same.
     pub identity: String,
     pub understood: String,
@@ -157,6 +160,7 @@ impl Analysis {
             study: study.path.clone(),
             scene: BaseScene {
                 path: study.scene_path.clone(),
+                set: study.settings.set.iter().map(Change::text).collect(),
                 identity: first.identity.clone(),
                 understood: understood(&first.scene).to_string(),
             },

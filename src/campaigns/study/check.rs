@@ -31,7 +31,7 @@ pub fn check(study: &Study, ranks: usize, network: Option<(f64, f64)>, comm: &Co
     let mut sum = [0.0; 3];
     for (setting, name) in study.names.iter().enumerate() {
         let points = || study.points.iter().filter(|point| point.setting == setting);
-        let Some(finest) = points().last() else { continue };
+        let Some(finest) = points().next_back() else { continue };
         let pace = cost::pace(&finest.scene, ranks, network, comm)?;
         for point in points() {
             let price = cost::predict(&point.scene, ranks, &pace, comm)?;

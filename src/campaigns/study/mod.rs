@@ -5,6 +5,7 @@
 
 pub mod analysis;
 pub mod check;
+mod combine;
 pub mod limit;
 pub mod measure;
 pub mod order;

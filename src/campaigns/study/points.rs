@@ -5,8 +5,9 @@ use std::path::{Component, Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
+use super::combine::combined;
 use super::measure::Against;
-use super::settings::{Axis, Change, Combine, Settings};
+use super::settings::{Change, Settings};
 use crate::error::{Error, Result};
 use crate::scene::Scene;
 use crate::scene::source::{Document, Source};
@@ -45,7 +46,7 @@ pub struct Point {
     /// From 1.
     pub number: usize,
     pub setting: usize,
-    /// Over the scene as it is, as after `--set`.
+    /// What is varied, as after `--set`; `[study.set]` comes before it.
     pub overrides: Vec<String>,
     /// m
     pub spacing: f64,
@@ -116,14 +117,13 @@ pub fn understood(scene: &Scene) -> Table {
     }
     if let Some(run) = table.get_mut("run").and_then(Value::as_table_mut) {
         run.remove("checkpoint_every");
+        // A run that these end has no result.
+        if run.get("until").is_some_and(|until| until.as_str() != Some("settled")) {
+            run.remove("steps");
+            run.remove("max_time");
+        }
     }
     table
-}
-
-/// A setting: its name and what it changes.
-struct Setting {
-    name: String,
-    changes: Vec<Change>,
 }
 
 impl Study {
@@ -145,7 +145,8 @@ impl Study {
             let mut points = Vec::new();
             for level in &settings.resolution.values {
                 let changes: Vec<&Change> = settings.set.iter().chain(&setting.changes).chain(level).collect();
-                points.push((reader.scene(&changes)?, changes.iter().map(|change| change.text()).collect::<Vec<_>>()));
+                let varied = setting.changes.iter().chain(level).map(Change::text).collect::<Vec<_>>();
+                points.push((reader.scene(&changes)?, varied));
             }
             study.add(setting.name, points);
         }
@@ -257,56 +258,6 @@ impl Reader<'_> {
         }
         Ok(())
     }
-}
-
-/// All settings, in the order in which they are run.
-fn combined(settings: &Settings) -> Vec<Setting> {
-    let base = || Setting { name: String::new(), changes: Vec::new() };
-    let mut found = match settings.combine {
-        Combine::Grid => settings.axes.iter().enumerate().fold(vec![base()], |settings_so_far, (axis, values)| {
-            let with = |setting: &Setting, k: usize| Setting {
-                name: join(&setting.name, &name(&settings.axes, axis, k)),
-                changes: setting.changes.iter().chain(&values.values[k]).cloned().collect(),
-            };
-            let each = settings_so_far.iter().flat_map(|setting| (0..values.values.len()).map(move |k| (setting, k)));
-            each.map(|(setting, k)| with(setting, k)).collect()
-        }),
-        Combine::OneAtATime => {
-            let each = settings.axes.iter().enumerate();
-            let each = each.flat_map(|(axis, values)| (0..values.values.len()).map(move |k| (axis, k)));
-            let alone = each.map(|(axis, k)| Setting {
-                name: name(&settings.axes, axis, k),
-                changes: settings.axes[axis].values[k].clone(),
-            });
-            std::iter::once(base()).chain(alone).collect()
-        }
-    };
-    found.iter_mut().filter(|setting| setting.name.is_empty()).for_each(|setting| setting.name = "as the scene".into());
-    found
-}
-
-fn join(a: &str, b: &str) -> String {
-    if a.is_empty() { b.to_string() } else { format!("{a}, {b}") }
-}
-
-/// A value in few words: `wendland_c2`, `eta 1.4`, `no corrected_gradient`. A key's last part stands for it where no other
-/// axis ends alike.
-fn name(axes: &[Axis], axis: usize, k: usize) -> String {
-    let last = |key: &str| key.rsplit('.').next().unwrap_or(key).to_string();
-    let keys = |axis: &Axis| axis.values.first().into_iter().flatten().map(|c| last(&c.key)).collect::<Vec<_>>();
-    let ambiguous =
-        |key: &str| axes.iter().enumerate().any(|(other, values)| other != axis && keys(values).contains(&last(key)));
-    let word = |change: &Change| {
-        let key = if ambiguous(&change.key) { change.key.clone() } else { last(&change.key) };
-        match &change.value {
-            Value::Boolean(true) => key,
-            Value::Boolean(false) => format!("no {key}"),
-            Value::String(text) if text.starts_with(|c: char| c.is_alphabetic()) => text.clone(),
-            Value::String(text) => format!("{key} {text}"),
-            other => format!("{key} {other}"),
-        }
-    };
-    axes[axis].values[k].iter().map(word).collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]

@@ -134,7 +134,7 @@ fn percent(x: f64) -> String {
 }
 
 fn doubted(text: String, doubt: &str) -> String {
-    if doubt.is_empty() { text } else { format!("{text} (not in the asymptotic range: {doubt})") }
+    if doubt.is_empty() { text } else { format!("{text} (asymptotic range in doubt: {doubt})") }
 }
 
 fn order(setting: &Setting) -> String {
@@ -185,7 +185,8 @@ fn cheapest_words(analysis: &Analysis, cost: Cost, cheapest: &Cheapest) -> Strin
         )
     };
     if let Some((setting, price)) = cheapest.setting.zip(cheapest.price.as_ref()) {
-        let point = cheapest.point.and_then(|number| analysis.points.get(number - 1));
+        let measured = price.known == Known::Measured;
+        let point = cheapest.point.filter(|_| !measured).and_then(|number| analysis.points.get(number - 1));
         let run = point.map_or(String::new(), |point| {
             let spent = point.cost(cost).unwrap_or(f64::NAN);
             format!("; the cheapest run that has it is point {} ({}), {spent:.3e}", point.number, name(point.setting))

@@ -42,10 +42,7 @@ pub fn choose(scene: &Scene, accuracy: f64) -> Result<Accuracy> {
 
 /// The scene with the settings that were chosen.
 pub fn apply(scene: &Scene, choice: &Accuracy) -> Result<Scene> {
-    // What a run writes is the user's own business.
-    let output = |text: &&String| text.starts_with("output.") && !text.starts_with("output.history_every");
-    let overrides: Vec<String> = choice.overrides.iter().filter(|text| !output(text)).cloned().collect();
-    scene.reread(&overrides)
+    scene.reread(&choice.overrides)
 }
 
 fn chosen(study: &Analysis, path: &Path, accuracy: f64) -> Option<Accuracy> {
@@ -63,7 +60,7 @@ fn chosen(study: &Analysis, path: &Path, accuracy: f64) -> Option<Accuracy> {
     })
 }
 
-/// Whether the study is of this scene: with the settings of the study's first point, both must be the same. An error that
+/// Whether the study is of this scene: with what the study's first point varies, both must be the same, `[study.set]` included. An error that
 /// names the first difference, where the study is of a scene of that name.
 fn same_scene(scene: &Scene, study: &Analysis) -> std::result::Result<bool, String> {
     let Some(first) = study.points.first() else { return Ok(false) };

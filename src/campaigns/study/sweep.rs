@@ -8,8 +8,8 @@ use super::record::{self, Record};
 use super::report;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
-use crate::output::agree;
-use crate::scene::keys;
+use crate::output::{Summary, agree};
+use crate::scene::{Until, keys};
 use crate::simulation::{self, Ended, Options, log};
 
 /// What to do of a study.
@@ -53,6 +53,18 @@ pub fn run(study: &Study, part: Part, options: &Options, comm: &Comm) -> Result<
     Ok(Ended::Finished)
 }
 
+/// A run that `run.steps` or `run.max_time` ends answers another question. They are how a study gets past a setting with
+/// which time hardly moves.
+fn to_its_end(point: &Point, summary: Summary) -> Result<Summary> {
+    match point.scene.run.until {
+        Until::Time(end) if summary.time < (1.0 - 1e-9) * end => {
+            let what = format!("the run ended at {:.4e} s of {end:.4e} s, after {} steps", summary.time, summary.steps);
+            Err(Error::new(what))
+        }
+        _ => Ok(summary),
+    }
+}
+
 struct Sweep<'a> {
     study: &'a Study,
     options: &'a Options,
@@ -74,11 +86,11 @@ impl Sweep<'_> {
         let directory = self.options.directory.join(point.folder());
         simulation::directory::prepare(&directory, self.options.resume, comm)?;
         let run = simulation::run(&point.scene, &Options { directory, ..self.options.clone() }, comm);
-        let record = match &run {
-            Ok(report) if report.ended == Ended::Interrupted => return Ok(Ended::Interrupted),
-            Ok(report) => Record::of(point, Ok(&report.summary)),
-            Err(error) => Record::of(point, Err(error)),
-        };
+        if matches!(&run, Ok(report) if report.ended == Ended::Interrupted) {
+            return Ok(Ended::Interrupted);
+        }
+        let run = run.and_then(|report| to_its_end(point, report.summary));
+        let record = Record::of(point, run.as_ref());
         record::write(&self.options.directory, point, &record, comm)?;
         self.log_here()?;
         match (record.figure(&study.settings.measure.figure), record.failed.as_str()) {
