@@ -4,7 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::limit::{Limit, limit};
-use super::measure::{Measure, Sample};
+use super::measure::{Against, Measure, Sample};
 use super::order::{Order, order};
 use super::pareto::{Price, Step, beyond, first_within, front, price};
 use super::points::{Study, understood};
@@ -197,7 +197,15 @@ impl Analysis {
         let errors: Vec<_> = self.of_setting(number).filter_map(|point| Some((point.spacing, point.error?))).collect();
         let figures: Vec<_> =
             self.of_setting(number).filter_map(|point| Some((point.spacing, point.figure?))).collect();
-        Setting { name: name.into(), order: order(&errors), limit: limit(&figures) }
+        let (mut order, limit) = (order(&errors), limit(&figures));
+        // A straight line in logarithms ends at zero; where errors do not, its slope is no order.
+        let floor = limit.as_ref().filter(|limit| self.measure.against == Against::Exact && limit.order.is_some());
+        if let (Some(order), Some(floor)) = (&mut order, floor.filter(|f| f.value.abs() > 2.0 * f.uncertainty))
+            && order.doubt.is_empty()
+        {
+            order.doubt = format!("errors settle at {:.1e}, not at zero", floor.value.abs());
+        }
+        Setting { name: name.into(), order, limit }
     }
 
     /// Points of a setting that have an error, and their steps along its curve.

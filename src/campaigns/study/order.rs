@@ -5,7 +5,7 @@
 use serde::{Deserialize, Serialize};
 
 /// The order of the finest step may differ this much from that of all, in orders, within the asymptotic range.
-const TOLERANCE: f64 = 0.5;
+const TOLERANCE: f64 = 0.25;
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Order {

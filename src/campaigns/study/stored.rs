@@ -46,6 +46,9 @@ pub fn apply(scene: &Scene, choice: &Accuracy) -> Result<Scene> {
 }
 
 fn chosen(study: &Analysis, path: &Path, accuracy: f64) -> Option<Accuracy> {
+    if accuracy < study.measure.floor() {
+        return None;
+    }
     let point = study.cheapest_point(accuracy, Cost::CoreSeconds)?;
     Some(Accuracy {
         asked: accuracy,
@@ -124,11 +127,11 @@ fn refusal(scene: &Scene, accuracy: f64, changed: &[String], unable: &[(PathBuf,
     error.at(scene.path())
 }
 
-/// The largest error of a point and of those finer than it.
+/// The largest error of a point and of those finer than it, which is no less than what the study can tell.
 fn stays_within(study: &Analysis, number: usize) -> Option<f64> {
     let point = &study.points[number - 1];
     let finer = study.of_setting(point.setting).filter(|other| other.spacing <= point.spacing);
-    point.error.map(|error| finer.filter_map(|other| other.error).fold(error, f64::max))
+    point.error.map(|error| finer.filter_map(|other| other.error).fold(error.max(study.measure.floor()), f64::max))
 }
 
 /// Every file that may hold a study, in the order in which they are asked.
