@@ -202,9 +202,9 @@ fn what_is_wrong_is_said_before_anything_runs() {
     assert_edit_refused(
         "numerics.kernel",
         "numerics.kernal",
-        &["study.toml:26: study.vary.numerics.kernal", "did you mean `kernel`?"],
+        &["study.toml:22: study.vary.numerics.kernal", "did you mean `kernel`?"],
     );
-    assert_edit_refused("\"cubic_spline\"", "\"cubic\"", &["study.toml:26", "unknown choice `cubic`", "wendland_c2"]);
+    assert_edit_refused("\"cubic_spline\"", "\"cubic\"", &["study.toml:22", "unknown choice `cubic`", "wendland_c2"]);
     assert_edit_refused("tube.toml", "tub.toml", &["study.toml:5: study.scene", "tub.toml"]);
     assert_edit_refused("target =", "taget =", &["study.toml:7", "did you mean `target`?"]);
     // Found with the first run.
