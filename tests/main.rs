@@ -20,3 +20,4 @@ mod ranks_domain;
 mod ranks_outcome;
 mod sameness;
 mod scenes;
+mod studies;
