@@ -296,10 +296,8 @@ impl Columns {
     pub fn reorder(&mut self, order: &[u32], scratch: &mut Vec<u64>) {
         // What stands in front of the first that moves stays; the rest goes in runs that stand together already.
         let first = order.iter().zip(0..).take_while(|(old, new)| **old == *new).count();
-        let runs: Vec<(usize, usize)> = order[first..]
-            .chunk_by(|a, b| a + 1 == *b)
-            .map(|run| (run[0] as usize, run.len()))
-            .collect();
+        let runs: Vec<(usize, usize)> =
+            order[first..].chunk_by(|a, b| a + 1 == *b).map(|run| (run[0] as usize, run.len())).collect();
         for (column, entry) in self.words.iter_mut().zip(&self.registry.entries) {
             let width = entry.width;
             scratch.clear();
