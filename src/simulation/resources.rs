@@ -42,9 +42,9 @@ pub fn machine() -> u64 {
     u64::from_le_bytes(std::array::from_fn(|k| blake3::hash(&boot).as_bytes()[k]))
 }
 
-/// Arrays from here on go back at once, bytes: those of a million particles would be too much to hold.
+/// Larger arrays go back at once, bytes: with many particles they would be too much to hold.
 #[cfg(target_env = "gnu")]
-const LARGE: libc::c_int = 1 << 24;
+const LARGE: libc::c_int = 1 << 22;
 
 /// Keeps freed memory for the arrays that come next, but for the largest ones: pages that come anew from the system at each
 /// list build would cost a tenth of all time.
