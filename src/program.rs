@@ -52,6 +52,7 @@ enum Task {
 
 fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
     log::start(comm.rank(), args.quiet);
+    resources::hold_memory();
     let task = match read(args, comm) {
         Ok(task) => task,
         Err(error) => return complain(&error, BAD_INPUT, comm),
@@ -179,7 +180,6 @@ fn prepare(args: &Args, options: &Options, comm: &Comm) -> Result<()> {
             "{threads} threads on {cores} usable cores: the launcher may have pinned this rank (--bind-to none)"
         );
     }
-    simulation::resources::give_freed_memory_back();
     agree(comm, workers::start_threads(threads))?;
     signals::listen();
     Ok(())

@@ -6,6 +6,7 @@ use super::bisection::Bisection;
 use super::comm::Comm;
 use super::ghosts::{Extent, Ghosts};
 use super::migration::migrate;
+use super::order::sort_nearly_sorted;
 use super::watch::Watch;
 use crate::math::Vec3;
 use crate::particles::{Column, Columns, Lattice, Local, ParticleId, Periods, Place, Site};
@@ -96,14 +97,12 @@ impl<const D: usize> Decomposition<D> {
             let id = columns.get(self.handles.id, i).0;
             Site { id, position: positions[i], radius: list_radius(columns, i) }
         };
-        let mut order: Vec<(Place, Site<D>, u32)> = (0..columns.len())
-            .map(|i| (site(i), i as u32))
-            .map(|(site, i)| (self.space.lattice.place(&site), site, i))
-            .collect();
-        order.sort_unstable_by_key(|(place, ..)| *place);
+        let mut order: Vec<(Place, u32)> =
+            (0..columns.len()).map(|i| (self.space.lattice.place(&site(i)), i as u32)).collect();
+        sort_nearly_sorted(&mut order, |(place, _)| *place);
         self.sites.reserve_exact(order.len());
-        self.sites.extend(order.iter().map(|(_, site, _)| *site));
-        let order: Vec<u32> = order.iter().map(|(.., i)| *i).collect();
+        self.sites.extend(order.iter().map(|(_, i)| site(*i as usize)));
+        let order: Vec<u32> = order.iter().map(|(_, i)| *i).collect();
         columns.reorder(&order, &mut Vec::new());
     }
 }

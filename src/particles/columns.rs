@@ -294,14 +294,18 @@ impl Columns {
 
     /// The particles in the order `order[new] = old`; `scratch` is reused between calls.
     pub fn reorder(&mut self, order: &[u32], scratch: &mut Vec<u64>) {
+        // What stands in front of the first that moves stays; the rest goes in runs that stand together already.
+        let first = order.iter().zip(0..).take_while(|(old, new)| **old == *new).count();
+        let runs: Vec<(usize, usize)> =
+            order[first..].chunk_by(|a, b| a + 1 == *b).map(|run| (run[0] as usize, run.len())).collect();
         for (column, entry) in self.words.iter_mut().zip(&self.registry.entries) {
             let width = entry.width;
             scratch.clear();
-            for &old in order {
-                scratch.extend_from_slice(&column[old as usize * width..(old as usize + 1) * width]);
+            for &(old, count) in &runs {
+                scratch.extend_from_slice(&column[old * width..(old + count) * width]);
             }
             // Back into its own buffer: those of wide columns would otherwise end up holding narrow ones.
-            column.clear();
+            column.truncate(first * width);
             column.extend_from_slice(scratch);
         }
         self.len = order.len();

@@ -341,7 +341,6 @@ impl<'c, const D: usize> Stepper<'c, D> {
             self.counters.list_builds += 1;
             self.counters.rebisections += rebisected as u64;
         }
-        self.neighbourhood.forget_list();
         self.neighbourhood.distribute(&mut self.columns, &self.settings, self.comm);
         self.counters.migrated += self.neighbourhood.migrated() as u64;
         self.phases.add(Phase::Migration, start);
