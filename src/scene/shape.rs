@@ -67,6 +67,36 @@ impl Shape {
         }
     }
 
+    /// Whether the shape ends in a plane above, as ground does: an impact then comes down on it.
+    pub fn has_upper_face(&self) -> bool {
+        !matches!(self, Shape::Sphere { .. })
+    }
+
+    /// Distance of a point inside from the outer faces, m: all of a sphere's, and all of the others' but the upper one. These
+    /// are where a body that stands for a part of something larger is cut off. A box has faces across the axes of `across`
+    /// only; infinite where there are none.
+    pub fn outer_distance(&self, point: [f64; 3], across: [bool; 3], dimension: usize) -> f64 {
+        let [x, y, z] = point;
+        match *self {
+            Shape::Sphere { radius } | Shape::HalfSphere { radius } => radius - (x * x + y * y + z * z).sqrt(),
+            Shape::Cylinder { radius, height } => (radius - (x * x + y * y).sqrt()).min(0.5 * height + z),
+            Shape::Box { size } => (0..dimension).filter(|&axis| across[axis]).fold(f64::INFINITY, |least, axis| {
+                let height = if axis == dimension - 1 { point[axis] } else { -point[axis].abs() };
+                least.min(0.5 * size[axis] + height)
+            }),
+        }
+    }
+
+    /// The largest distance from the outer faces that there is within the shape, m.
+    pub fn largest_outer_distance(&self, across: [bool; 3], dimension: usize) -> f64 {
+        let innermost = match *self {
+            Shape::Sphere { .. } | Shape::HalfSphere { .. } => [0.0; 3],
+            Shape::Cylinder { height, .. } => [0.0, 0.0, 0.5 * height],
+            Shape::Box { size } => std::array::from_fn(|k| if k == dimension - 1 { 0.5 * size[k] } else { 0.0 }),
+        };
+        self.outer_distance(innermost, across, dimension)
+    }
+
     /// Whether two shapes at `a` and `b` share some volume. Exact for two spheres and two boxes; otherwise a grid of points
     /// through the part that their bounding boxes share is tested.
     pub fn overlaps(&self, a: [f64; 3], other: &Shape, b: [f64; 3], dimension: usize) -> bool {
@@ -135,6 +165,23 @@ mod tests {
         let half = Shape::HalfSphere { radius: 1.0 };
         assert!(half.contains([0.0, 0.5, -0.5], 3) && !half.contains([0.0, 0.0, 0.1], 3));
         assert!(half.contains([0.5, -0.5, 0.0], 2) && !half.contains([0.0, 0.1, 0.0], 2));
+    }
+
+    #[test]
+    fn outer_faces_are_all_but_the_upper_one() {
+        let open = [true; 3];
+        let near = |shape: Shape, point: [f64; 3]| shape.outer_distance(point, open, 3);
+        assert_eq!(near(Shape::HalfSphere { radius: 2.0 }, [0.0, 0.0, -0.5]), 1.5);
+        assert_eq!(near(Shape::Cylinder { radius: 2.0, height: 6.0 }, [0.0, 1.5, 2.9]), 0.5);
+        assert_eq!(near(Shape::Cylinder { radius: 2.0, height: 6.0 }, [0.0, 0.5, -2.0]), 1.0);
+        let brick = Shape::Box { size: [4.0, 6.0, 8.0] };
+        assert_eq!([near(brick, [-1.5, 0.0, 3.9]), near(brick, [0.0, 0.0, -3.0])], [0.5, 1.0]);
+        assert_eq!(brick.outer_distance([-1.5, 0.0, 3.9], [false, true, true], 3), 3.0);
+        assert_eq!(brick.outer_distance([0.0; 3], [false; 3], 3), f64::INFINITY);
+        assert_eq!(brick.largest_outer_distance(open, 3), 2.0);
+        assert_eq!(Shape::Cylinder { radius: 2.0, height: 1.0 }.largest_outer_distance(open, 3), 1.0);
+        // In 2D y points up.
+        assert_eq!(Shape::Box { size: [4.0, 6.0, 0.0] }.outer_distance([0.0, 2.5, 0.0], open, 2), 2.0);
     }
 
     #[test]

@@ -148,7 +148,8 @@ fn piston(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
         Motion::Prescribed(v) if v[0] != 0.0 => Some(v[0]),
         _ => None,
     };
-    let layer = scene.layers.iter().find_map(|layer| Some((moving(&layer.motion)?, [layer.low[0], layer.high[0]])));
+    let layer =
+        scene.layers.iter().find_map(|layer| Some((moving(&layer.motion)?, [layer.part.low[0], layer.part.high[0]])));
     let body = scene.bodies.iter().find_map(|body| Some((moving(&body.motion)?, ends(body))));
     let (speed, faces) = match (layer, body) {
         (Some(layer), _) => layer,

@@ -1,0 +1,177 @@
+//! Tables of what an impact did to ground: mass above a speed, the floor of the bowl over the distance from its middle, pores
+//! over depth below the point of impact.
+
+use std::fmt::Write;
+
+use super::crater::Grain;
+use crate::domain::comm::Comm;
+use crate::math::ExactSum;
+
+/// Bins of speed per factor of ten.
+const PER_DECADE: i32 = 10;
+/// The slowest and the fastest edge, powers of ten of m/s.
+const SLOWEST: i32 = -2;
+const FASTEST: i32 = 5;
+/// Bins of a profile at most.
+const MOST_BINS: usize = 1 << 16;
+/// Width of the rings over which the floor of the bowl is sought, and of the column below the point of impact, in spacings.
+const WIDTH: f64 = 2.0;
+
+/// Mass and volume above upward speeds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ejecta {
+    pub rows: Vec<EjectaRow>,
+}
+
+/// What is faster than `speed`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EjectaRow {
+    /// m/s.
+    pub speed: f64,
+    /// kg.
+    pub mass: f64,
+    /// Before the impact, m^3 (m^2 in 2D).
+    pub volume: f64,
+    /// Of what has risen above the face, kg.
+    pub mass_above_face: f64,
+}
+
+impl Ejecta {
+    /// Collective.
+    pub fn count(comm: &Comm, grains: impl Iterator<Item = Grain>) -> Self {
+        let edge = |k: i32| libm::exp10(k as f64 / PER_DECADE as f64);
+        let edges: Vec<f64> = (SLOWEST * PER_DECADE..=FASTEST * PER_DECADE).map(edge).collect();
+        let mut sums = vec![ExactSum::new(); 3 * edges.len()];
+        for grain in grains {
+            // Bin k holds speeds above edge k, up to the next.
+            let Some(bin) = edges.partition_point(|edge| *edge < grain.speed).checked_sub(1) else { continue };
+            let above = if grain.height > 0.0 { grain.mass } else { 0.0 };
+            let shares = [grain.mass, grain.volume, above];
+            sums[3 * bin..][..3].iter_mut().zip(shares).for_each(|(sum, share)| sum.add(share));
+        }
+        let mut limbs: Vec<i64> = sums.iter_mut().flat_map(|sum| sum.limbs_mut().to_vec()).collect();
+        comm.all_sum(&mut limbs);
+        let mut faster = [const { ExactSum::new() }; 3];
+        let mut rows = Vec::new();
+        for (bin, words) in limbs.chunks_exact(3 * ExactSum::WORDS).enumerate().rev() {
+            for (sum, words) in faster.iter_mut().zip(words.chunks_exact(ExactSum::WORDS)) {
+                sum.merge(&ExactSum::from_limbs(words));
+            }
+            let [mass, volume, mass_above_face] = [0, 1, 2].map(|k| faster[k].value());
+            if mass > 0.0 {
+                rows.push(EjectaRow { speed: edges[bin], mass, volume, mass_above_face });
+            }
+        }
+        rows.reverse();
+        Self { rows }
+    }
+
+    /// `ejecta.csv`.
+    pub fn table(&self) -> String {
+        let mut text = String::from("speed_above_m_s,mass_kg,volume_before_m3,mass_above_face_kg\n");
+        for row in &self.rows {
+            let _ = writeln!(text, "{:e},{:e},{:e},{:e}", row.speed, row.mass, row.volume, row.mass_above_face);
+        }
+        text
+    }
+}
+
+/// The upper end of dense matter over the distance from the point of impact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bowl {
+    /// m.
+    spacing: f64,
+    /// Highest place in each ring, m above the face; negative infinity where there is nothing.
+    levels: Vec<f64>,
+}
+
+impl Bowl {
+    /// Of these particles. Collective.
+    pub fn measure(comm: &Comm, dense: impl Iterator<Item = Grain>, (spacing, extent): (f64, f64)) -> Self {
+        let mut levels = vec![f64::NEG_INFINITY; bins(extent, WIDTH * spacing)];
+        for grain in dense {
+            if let Some(level) = levels.get_mut((grain.radius / (WIDTH * spacing)) as usize) {
+                // A particle fills a cell around it.
+                *level = level.max(grain.height + 0.5 * spacing);
+            }
+        }
+        comm.all_max(&mut levels);
+        Self { spacing, levels }
+    }
+
+    /// Depth and radius, m: from the lowest ring out to the first that reaches the face, to within one spacing.
+    pub fn size(&self) -> [f64; 2] {
+        let rim = self.levels.iter().position(|level| *level > -self.spacing).unwrap_or(0);
+        let floor = self.levels[..rim].iter().filter(|level| level.is_finite());
+        let lowest = floor.fold(0.0, |low: f64, level| low.min(*level));
+        if lowest < 0.0 { [-lowest, rim as f64 * WIDTH * self.spacing] } else { [0.0; 2] }
+    }
+
+    /// `crater.csv`.
+    pub fn table(&self) -> String {
+        let mut text = String::from("distance_m,surface_m\n");
+        for (ring, level) in self.levels.iter().enumerate().filter(|(_, level)| level.is_finite()) {
+            let _ = writeln!(text, "{:e},{level:e}", (ring as f64 + 0.5) * WIDTH * self.spacing);
+        }
+        text
+    }
+}
+
+/// Distention over depth, in a column below the point of impact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pores {
+    pub rows: Vec<PoresRow>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PoresRow {
+    /// Middle of the bin, m below the face.
+    pub depth: f64,
+    /// Mean by mass.
+    pub mean: f64,
+    pub least: f64,
+    pub largest: f64,
+}
+
+impl Pores {
+    /// Collective.
+    pub fn measure(comm: &Comm, grains: impl Iterator<Item = Grain>, (spacing, extent): (f64, f64)) -> Self {
+        let bins = bins(extent, spacing);
+        let mut sums = vec![ExactSum::new(); 2 * bins];
+        let mut ends = vec![f64::INFINITY; 2 * bins];
+        for grain in grains.filter(|grain| grain.radius < WIDTH * spacing && grain.height <= 0.0) {
+            let (Some([now, _]), bin) = (grain.distention, (-grain.height / spacing) as usize) else { continue };
+            if bin < bins {
+                sums[2 * bin].add(grain.mass);
+                sums[2 * bin + 1].add(grain.mass * now);
+                ends[2 * bin] = ends[2 * bin].min(now);
+                ends[2 * bin + 1] = ends[2 * bin + 1].min(-now);
+            }
+        }
+        comm.all_min(&mut ends);
+        let mut limbs: Vec<i64> = sums.iter_mut().flat_map(|sum| sum.limbs_mut().to_vec()).collect();
+        comm.all_sum(&mut limbs);
+        let value = |k: usize| ExactSum::from_limbs(&limbs[k * ExactSum::WORDS..(k + 1) * ExactSum::WORDS]).value();
+        let filled = (0..bins).filter(|bin| ends[2 * bin].is_finite());
+        let row = |bin: usize| PoresRow {
+            depth: (bin as f64 + 0.5) * spacing,
+            mean: value(2 * bin + 1) / value(2 * bin),
+            least: ends[2 * bin],
+            largest: -ends[2 * bin + 1],
+        };
+        Self { rows: filled.map(row).collect() }
+    }
+
+    /// `distention.csv`.
+    pub fn table(&self) -> String {
+        let mut text = String::from("depth_m,distention,least,largest\n");
+        for row in &self.rows {
+            let _ = writeln!(text, "{:e},{:e},{:e},{:e}", row.depth, row.mean, row.least, row.largest);
+        }
+        text
+    }
+}
+
+fn bins(extent: f64, width: f64) -> usize {
+    ((extent / width).ceil() as usize).clamp(1, MOST_BINS)
+}
