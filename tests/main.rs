@@ -5,6 +5,7 @@ mod architecture;
 mod balance;
 mod boundaries;
 mod common;
+mod craters;
 mod errors;
 mod exact;
 mod faults;

@@ -36,7 +36,7 @@ pub struct Question {
     pub projectile: usize,
     /// Upward speed from which on matter counts as ejected, m/s.
     pub ejection_speed: Option<f64>,
-    /// How far the target goes down and sideways, m.
+    /// A width in which the ground has room, m.
     pub extent: f64,
     /// Distention of each body at the start; 1 without pores.
     pub distention: Vec<f64>,
@@ -49,6 +49,7 @@ pub struct Crater {
     pub ejected: Option<Ejected>,
     /// Of the bowl below the face that was there, m; zero without one.
     pub depth: f64,
+    /// Of a circle as large as the bowl, m (in 2D half its width).
     pub radius: f64,
     /// Where a body has pores.
     pub compaction: Option<Compaction>,
@@ -91,8 +92,8 @@ pub struct CraterEvaluation {
 pub struct Grain {
     /// m.
     pub height: f64,
-    /// From the axis through the point of impact, m.
-    pub radius: f64,
+    /// Along the face from the point of impact, m.
+    pub aside: [f64; 2],
     /// Upward, m/s.
     pub speed: f64,
     /// kg.
@@ -121,12 +122,11 @@ impl Ground<'_> {
             let body = self.columns.get(self.core.id, i).body();
             (body != question.projectile).then(|| {
                 let constants = &self.constants[body];
-                let mut from_face = self.columns.get(self.core.position, i) - question.face;
-                let height = std::mem::take(&mut from_face[question.up]);
+                let from_face = self.columns.get(self.core.position, i) - question.face;
                 let first = question.distention[body];
                 Grain {
-                    height,
-                    radius: from_face.norm(),
+                    height: from_face[question.up],
+                    aside: [from_face.x, if question.up == 2 { from_face.y } else { 0.0 }],
                     speed: self.columns.get(self.core.velocity, i)[question.up],
                     mass: constants.particle_mass,
                     volume: constants.particle_mass / constants.density,
@@ -156,7 +156,7 @@ pub fn evaluate(
     let ejecta = Ejecta::count(comm, ground.grains());
     let fastest = question.ejection_speed.unwrap_or(f64::INFINITY);
     let dense = ground.grains().filter(|grain| grain.relative_density > THIN && grain.speed <= fastest);
-    let bowl = Bowl::measure(comm, dense, (spacing, question.extent));
+    let bowl = Bowl::measure(comm, dense, (spacing, question.extent), columns.registry.dimension);
     let pores = has_pores.then(|| Pores::measure(comm, ground.grains(), (spacing, question.extent)));
     let [depth, radius] = bowl.size();
     let crater = Crater {

@@ -1,5 +1,4 @@
-//! Tables of what an impact did to ground: mass above a speed, the floor of the bowl over the distance from its middle, pores
-//! over depth below the point of impact.
+//! Tables of what an impact did to ground: mass above a speed, a map of the bowl, pores over depth below the point of impact.
 
 use std::fmt::Write;
 
@@ -14,7 +13,9 @@ const SLOWEST: i32 = -2;
 const FASTEST: i32 = 5;
 /// Bins of a profile at most.
 const MOST_BINS: usize = 1 << 16;
-/// Width of the rings over which the floor of the bowl is sought, and of the column below the point of impact, in spacings.
+/// Cells along the side of a map at most.
+const MOST_CELLS: usize = 1 << 10;
+/// Width of a map's cells and radius of the column below the point of impact, in spacings.
 const WIDTH: f64 = 2.0;
 
 /// Mass and volume above upward speeds.
@@ -76,42 +77,60 @@ impl Ejecta {
     }
 }
 
-/// The upper end of dense matter over the distance from the point of impact.
+/// How high dense matter reaches, on a map of the face.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bowl {
     /// m.
     spacing: f64,
-    /// Highest place in each ring, m above the face; negative infinity where there is nothing.
+    /// Cells along x, as many or one across.
+    side: usize,
+    /// Highest place in each cell, m above the face; negative infinity where there is nothing.
     levels: Vec<f64>,
 }
 
 impl Bowl {
     /// Of these particles. Collective.
-    pub fn measure(comm: &Comm, dense: impl Iterator<Item = Grain>, (spacing, extent): (f64, f64)) -> Self {
-        let mut levels = vec![f64::NEG_INFINITY; bins(extent, WIDTH * spacing)];
+    pub fn measure(
+        comm: &Comm,
+        dense: impl Iterator<Item = Grain>,
+        (spacing, extent): (f64, f64),
+        dimension: usize,
+    ) -> Self {
+        let side = bins(extent, WIDTH * spacing).min(MOST_CELLS);
+        let across = if dimension == 3 { side } else { 1 };
+        let mut levels = vec![f64::NEG_INFINITY; side * across];
+        let cell = |x: f64, cells: usize| {
+            let at = (x / (WIDTH * spacing) + 0.5 * cells as f64).floor();
+            (at >= 0.0 && at < cells as f64).then_some(at as usize)
+        };
         for grain in dense {
-            if let Some(level) = levels.get_mut((grain.radius / (WIDTH * spacing)) as usize) {
-                // A particle fills a cell around it.
-                *level = level.max(grain.height + 0.5 * spacing);
-            }
+            let [Some(x), Some(y)] = [cell(grain.aside[0], side), cell(grain.aside[1], across)] else { continue };
+            // A particle fills a cell around it.
+            let level = &mut levels[y * side + x];
+            *level = level.max(grain.height + 0.5 * spacing);
         }
         comm.all_max(&mut levels);
-        Self { spacing, levels }
+        Self { spacing, side, levels }
     }
 
-    /// Depth and radius, m: from the lowest ring out to the first that reaches the face, to within one spacing.
+    /// Depth, to within a spacing, and radius, m, of what lies a spacing or more below the face.
     pub fn size(&self) -> [f64; 2] {
-        let rim = self.levels.iter().position(|level| *level > -self.spacing).unwrap_or(0);
-        let floor = self.levels[..rim].iter().filter(|level| level.is_finite());
-        let lowest = floor.fold(0.0, |low: f64, level| low.min(*level));
-        if lowest < 0.0 { [-lowest, rim as f64 * WIDTH * self.spacing] } else { [0.0; 2] }
+        let hollow = self.levels.iter().filter(|level| level.is_finite() && **level < -self.spacing);
+        let (cells, lowest) = hollow.fold((0, 0.0), |(n, low): (usize, f64), level| (n + 1, low.min(*level)));
+        let cell = WIDTH * self.spacing;
+        let planar = self.levels.len() == self.side;
+        let area = cells as f64 * if planar { cell } else { cell * cell };
+        [-lowest, if planar { 0.5 * area } else { (area / std::f64::consts::PI).sqrt() }]
     }
 
     /// `crater.csv`.
     pub fn table(&self) -> String {
-        let mut text = String::from("distance_m,surface_m\n");
-        for (ring, level) in self.levels.iter().enumerate().filter(|(_, level)| level.is_finite()) {
-            let _ = writeln!(text, "{:e},{level:e}", (ring as f64 + 0.5) * WIDTH * self.spacing);
+        let mut text = String::from("x_m,y_m,surface_m\n");
+        let across = self.levels.len() / self.side;
+        let middle = |k: usize, cells: usize| (k as f64 + 0.5 - 0.5 * cells as f64) * WIDTH * self.spacing;
+        for (k, level) in self.levels.iter().enumerate().filter(|(_, level)| level.is_finite()) {
+            let (x, y) = (middle(k % self.side, self.side), middle(k / self.side, across));
+            let _ = writeln!(text, "{x:e},{y:e},{level:e}");
         }
         text
     }
@@ -139,7 +158,7 @@ impl Pores {
         let bins = bins(extent, spacing);
         let mut sums = vec![ExactSum::new(); 2 * bins];
         let mut ends = vec![f64::INFINITY; 2 * bins];
-        for grain in grains.filter(|grain| grain.radius < WIDTH * spacing && grain.height <= 0.0) {
+        for grain in grains.filter(|grain| from_axis(grain) < WIDTH * spacing && grain.height <= 0.0) {
             let (Some([now, _]), bin) = (grain.distention, (-grain.height / spacing) as usize) else { continue };
             if bin < bins {
                 sums[2 * bin].add(grain.mass);
@@ -170,6 +189,11 @@ impl Pores {
         }
         text
     }
+}
+
+/// Distance from the axis through the point of impact, m.
+fn from_axis(grain: &Grain) -> f64 {
+    (grain.aside[0] * grain.aside[0] + grain.aside[1] * grain.aside[1]).sqrt()
 }
 
 fn bins(extent: f64, width: f64) -> usize {

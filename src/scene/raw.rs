@@ -84,13 +84,22 @@ pub enum RawShape {
     Box(RawBox),
     Cylinder(RawCylinder),
     #[serde(alias = "half_disc")]
-    HalfSphere(RawBall),
+    HalfSphere(RawHalfBall),
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RawBall {
     pub radius: Length,
+}
+
+/// Hollow within `inner`.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawHalfBall {
+    pub radius: Length,
+    #[serde(default)]
+    pub inner: Length,
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]

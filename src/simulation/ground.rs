@@ -32,14 +32,15 @@ impl<const D: usize> Run<'_, D> {
 
 fn question(scene: &Scene) -> Option<Question> {
     let (face, impact) = (scene.face()?, scene.impact.as_ref()?);
-    let bounds = scene.bodies[impact.target].shape.bounds(scene.dimension);
+    let ground = scene.bodies.iter().enumerate().filter(|(body, _)| *body != impact.projectile);
+    let extent = ground.fold(0.0, |most: f64, (_, body)| most.max(2.0 * body.shape.outer_radius()));
     Some(Question {
         face: Vec3::from(face.middle),
         up: face.up,
         target: impact.target,
         projectile: impact.projectile,
         ejection_speed: scene.outcome.map(|asked| asked.ejection_speed),
-        extent: 2.0 * bounds.half.iter().fold(0.0, |most: f64, half| most.max(*half)),
+        extent,
         distention: scene.bodies.iter().map(|_| 1.0).collect(),
     })
 }
