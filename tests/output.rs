@@ -35,8 +35,8 @@ fn launch(name: &str, ranks: usize, directory: &Path, stage: &str) {
 
 const SITES: u64 = 500;
 const BODIES: [BodyConstants; 2] = [
-    BodyConstants { particle_mass: 2e9, smoothing_length: 120.0, particles: SITES, density: 2700.0 },
-    BodyConstants { particle_mass: 1e9, smoothing_length: 90.0, particles: SITES, density: 2700.0 },
+    BodyConstants { particle_mass: 2e9, smoothing_length: 120.0, particles: SITES, density: 2700.0, distention: 1.0 },
+    BodyConstants { particle_mass: 1e9, smoothing_length: 90.0, particles: SITES, density: 2700.0, distention: 1.0 },
 ];
 
 struct Scene {

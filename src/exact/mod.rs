@@ -3,6 +3,7 @@
 //!
 //! A solution lives along one coordinate: x of a plane wave, r of a blast or of a vibrating body.
 
+pub mod compaction;
 pub mod grady_kipp;
 pub mod noh;
 pub mod piston;
@@ -25,6 +26,8 @@ pub struct State {
     pub stress: f64,
     /// Specific, J/kg.
     pub internal_energy: f64,
+    /// Zero where the solution knows of no pores.
+    pub distention: f64,
 }
 
 /// Fails unless all parameters, named for the message, are finite and above zero.

@@ -41,9 +41,9 @@ impl Noh {
             let internal_energy = 0.5 * self.speed * self.speed;
             return State {
                 density,
-                velocity: 0.0,
                 stress: (self.gamma - 1.0) * density * internal_energy,
                 internal_energy,
+                ..State::default()
             };
         }
         let gathered = if t > 0.0 { 1.0 + self.speed * t / r } else { 1.0 };

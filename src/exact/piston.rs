@@ -83,7 +83,7 @@ impl Solid {
 /// A piston that starts to move into a solid at t = 0 from x = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Piston {
-    ahead: State,
+    pub ahead: State,
     /// Elastic front that runs before the plastic one.
     pub precursor: Option<Front>,
     /// Front behind which the solid moves with the piston.

@@ -100,6 +100,7 @@ impl Riemann {
             velocity: gas.velocity,
             stress: gas.pressure,
             internal_energy: gas.pressure / ((self.gamma - 1.0) * gas.density),
+            ..State::default()
         }
     }
 
@@ -141,7 +142,7 @@ mod tests {
     }
 
     fn fluxes(state: &State, speed: f64) -> [f64; 3] {
-        let State { density, velocity, stress, internal_energy } = *state;
+        let State { density, velocity, stress, internal_energy, .. } = *state;
         let energy = density * (internal_energy + 0.5 * velocity * velocity);
         let relative = velocity - speed;
         [density * relative, density * velocity * relative + stress, energy * relative + stress * velocity]

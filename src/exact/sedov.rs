@@ -98,6 +98,7 @@ impl Sedov {
             velocity: front * r / radius * v,
             stress: (gamma - 1.0) * self.density * heat * libm::exp(2.0 * s - w + ln_g),
             internal_energy: heat * libm::exp((2.0 * s - w).min(600.0)),
+            ..State::default()
         }
     }
 

@@ -42,7 +42,7 @@ pub(super) fn jump(ahead: &State, gain: f64, stress: impl Fn(f64, f64) -> f64) -
         let density = 1.0 / (volume - shrunk);
         let internal_energy = ahead.internal_energy + ahead.stress * shrunk + 0.5 * gain * gain;
         let stress = stress(density, internal_energy);
-        State { density, velocity: ahead.velocity + gain, stress, internal_energy }
+        State { density, velocity: ahead.velocity + gain, stress, internal_energy, distention: 0.0 }
     };
     // At the upper end matter is 1e9 times as dense as ahead: no law bears that at a lower stress than the jump asks for.
     let shrunk =
@@ -65,7 +65,8 @@ impl Medium {
     /// The state at rest.
     pub fn state(&self) -> State {
         let (density, internal_energy) = (self.density, self.internal_energy);
-        State { density, velocity: 0.0, stress: self.law.pressure(density, internal_energy).0, internal_energy }
+        let stress = self.law.pressure(density, internal_energy).0;
+        State { density, stress, internal_energy, ..State::default() }
     }
 
     /// The shock that gives the matter the velocity `particle_speed`, m/s.

@@ -56,6 +56,8 @@ material_effects! {
     density::Continuity;
     /// Pressure from density and internal energy.
     eos::EquationOfState { eos: eos::EosTable };
+    /// Pores below the resolution; sets the pressure of porous bodies.
+    porosity::Porosity { porosity: Option<porosity::PorosityTable> };
     /// Resistance to shear.
     strength::Strength { strength: Option<strength::StrengthTable> };
     /// Damage by the growth of flaws.
@@ -74,6 +76,11 @@ impl MaterialTable {
 
     pub fn has_strength(&self) -> bool {
         self.strength.is_some()
+    }
+
+    /// Distention that a body of it has unless it says otherwise, 1 without pores.
+    pub fn distention(&self) -> f64 {
+        self.porosity.as_ref().map_or(1.0, |table| table.distention.0)
     }
 
     pub fn has_fracture(&self) -> bool {
@@ -110,6 +117,8 @@ pub struct BodyConstants {
     pub particles: u64,
     /// Density at the start, kg/m^3.
     pub density: f64,
+    /// Distention at the start, 1 without pores.
+    pub distention: f64,
 }
 
 /// What the pair loop found out about one particle.

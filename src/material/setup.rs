@@ -38,6 +38,11 @@ impl<P> PerBody<P> {
         all.iter().any(Option::is_some).then_some(Self(all))
     }
 
+    /// Parameters of a body.
+    pub fn of(&self, body: usize) -> Option<&P> {
+        self.0[body].as_ref()
+    }
+
     /// The particles of a chunk that have the effect, in stretches with the same parameters.
     pub fn runs<'a>(&'a self, local: &'a Local) -> impl Iterator<Item = (&'a P, Range<usize>)> {
         local.runs().filter_map(|(body, range)| Some((self.0[body].as_ref()?, range)))

@@ -11,6 +11,14 @@
 //! energy, J/kg; c, c_L bulk and longitudinal speed of sound, m/s. In 2D this is plane strain: S_zz = -(S_xx + S_yy)
 //! counts in J2.
 //!
+//! In porous bodies S is that of the body, S_s / alpha with S_s of the matrix (Jutzi et al. 2008, eqs 45-53, with f on Hooke's
+//! term alone, as stress turns with the body whatever its pores do, and S for that of the body throughout):
+//!
+//! ```text
+//! dS/dt = f / alpha 2 mu (e - tr(e)/3) + Omega S - S Omega - S alpha' / alpha    c_L^2 = c^2 + 4 mu / (3 alpha rho)
+//! ```
+//! f of `porosity`, within 0 and 1; alpha' the rate of distention alpha. Y does not depend on alpha.
+//!
 //! S is the stress of the undamaged matter: damage is a view of it (see `fracture`) and is never written back.
 //! Columns: owns `deviatoric_stress`; stiffens the core column `sound_speed`.
 //! Time step: none of its own; the Courant condition uses the longitudinal speed.
@@ -18,6 +26,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::setup::{Table, all_positive};
+use super::porosity::{PoreColumns, distention_rate};
 use super::{Core, Local, MaterialEffect, MaterialTable, PerBody, Setup, eos};
 use crate::error::Result;
 use crate::math::{Deviator, Sym};
@@ -77,17 +86,19 @@ struct Solid {
     yield_strength: f64,
     /// 1 / u_melt, kg/J; zero where heat does not weaken.
     softening: f64,
-    /// Density below which shear waves get no faster, kg/m^3.
+    /// Density of the matrix below which shear waves get no faster, kg/m^3.
     lowest_density: f64,
+    porous: bool,
 }
 
 impl Solid {
-    fn new(table: &StrengthTable, initial_density: f64) -> Self {
+    fn new(table: &StrengthTable, matrix_density: f64, porous: bool) -> Self {
         Self {
             shear_modulus: table.shear_modulus.0,
             yield_strength: table.yield_strength.0,
             softening: table.melting.map_or(0.0, |melting| 1.0 / melting.energy.0),
-            lowest_density: initial_density / LARGEST_VOLUME,
+            lowest_density: matrix_density / LARGEST_VOLUME,
+            porous,
         }
     }
 
@@ -113,13 +124,19 @@ pub struct Strength {
     density: Column<f64>,
     energy: Column<f64>,
     sound_speed: Column<f64>,
+    /// Where any body is porous.
+    pores: Option<PoreColumns>,
 }
 
 impl MaterialEffect for Strength {
     fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Option<Self> {
         let solids = PerBody::new(setup, |body, material| {
-            material.strength.as_ref().map(|table| Solid::new(table, setup.constants[body].density))
+            let constants = &setup.constants[body];
+            let matrix_density = constants.density * constants.distention;
+            let new = |table| Solid::new(table, matrix_density, material.porosity.is_some());
+            material.strength.as_ref().map(new)
         })?;
+        let pores = PoreColumns::find(registry);
         let stress = registry.owner("strength").integrated(ColumnInfo {
             name: DEVIATORIC_STRESS,
             unit: "Pa",
@@ -128,7 +145,7 @@ impl MaterialEffect for Strength {
             snapshot: true,
         });
         let energy = registry.find(eos::INTERNAL_ENERGY)?;
-        Some(Self { solids, stress, density: core.density.value, energy, sound_speed: core.sound_speed })
+        Some(Self { solids, stress, density: core.density.value, energy, sound_speed: core.sound_speed, pores })
     }
 
     fn name(&self) -> &'static str {
@@ -138,6 +155,10 @@ impl MaterialEffect for Strength {
     fn rates(&self, local: &Local) {
         let (stress, rate) = (local.view(self.stress.value), local.new_rate(self.stress));
         for (solid, range) in self.solids.runs(local) {
+            if let Some(pores) = self.pores.filter(|_| solid.porous) {
+                self.porous_rates(local, solid, range, &pores);
+                continue;
+            }
             for i in range {
                 let gradient = &local.motion[i].velocity_gradient;
                 let elastic = Deviator::of(&Sym::symmetric_part(gradient), 2.0 * solid.shear_modulus);
@@ -161,10 +182,31 @@ impl MaterialEffect for Strength {
         let (density, sound_speed) = (local.view(self.density), local.view(self.sound_speed));
         for (solid, range) in self.solids.runs(local) {
             let stiffness = 4.0 / 3.0 * solid.shear_modulus;
+            let distention = self.pores.filter(|_| solid.porous).map(|pores| local.view(pores.distention));
             for i in range {
                 let c = sound_speed.get(i);
-                sound_speed.set(i, (c * c + stiffness / density.get(i).max(solid.lowest_density)).sqrt());
+                let matrix_density = distention.map_or(1.0, |column| column.get(i)) * density.get(i);
+                sound_speed.set(i, (c * c + stiffness / matrix_density.max(solid.lowest_density)).sqrt());
             }
+        }
+    }
+}
+
+impl Strength {
+    /// Rates of porous matter.
+    fn porous_rates(&self, local: &Local, solid: &Solid, range: std::ops::Range<usize>, pores: &PoreColumns) {
+        let (stress, rate) = (local.view(self.stress.value), local.new_rate(self.stress));
+        let (distention, stress_factor) = (local.view(pores.distention), local.view(pores.stress_factor));
+        for i in range {
+            let gradient = &local.motion[i].velocity_gradient;
+            let (divergence, factor) = (gradient.trace(), stress_factor.get(i));
+            // Pores that gave way do not come back: the matrix follows an expansion alone.
+            let share = if divergence < 0.0 { factor.clamp(0.0, 1.0) } else { 1.0 };
+            let modulus = 2.0 * solid.shear_modulus * share / distention.get(i);
+            let s = stress.get(i);
+            let elastic = Deviator::of(&Sym::symmetric_part(gradient), modulus);
+            let concentrated = s.scaled(-distention_rate(factor, divergence));
+            rate.set(i, elastic.plus(&s.turned_by(gradient)).plus(&concentrated));
         }
     }
 }
@@ -206,7 +248,7 @@ mod tests {
     #[test]
     fn yield_table() {
         let table = without_fracture(basalt()).strength.unwrap();
-        let solid = Solid::new(&table, 2700.0);
+        let solid = Solid::new(&table, 2700.0, false);
         for (trial, after) in [(0.70, 0.700), (0.90, 0.900), (1.00, 1.000), (1.20, 1.000), (1.50, 1.000), (2.00, 1.000)]
         {
             // Simple shear: sqrt(3 J2) = sqrt(3) S_xy.
@@ -220,7 +262,7 @@ mod tests {
 
     #[test]
     fn melt_bears_nothing() {
-        let solid = Solid::new(&basalt().strength.unwrap(), 2700.0);
+        let solid = Solid::new(&basalt().strength.unwrap(), 2700.0, false);
         let stress = Deviator { xy: 1e6, ..Default::default() };
         assert_eq!(solid.yield_strength(1.7e6), 1.75e9);
         assert_eq!(solid.yield_strength(-1.0), 3.5e9);

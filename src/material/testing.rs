@@ -70,8 +70,9 @@ impl Rig {
         let constants: Vec<_> = materials
             .iter()
             .map(|material| {
-                let density = material.reference_density().unwrap_or(1.0);
-                BodyConstants { particle_mass: density, smoothing_length: 1.2, particles: 1, density }
+                let distention = material.distention();
+                let density = material.reference_density().unwrap_or(1.0) / distention;
+                BodyConstants { particle_mass: density, smoothing_length: 1.2, particles: 1, density, distention }
             })
             .collect();
         let body_material: Vec<_> = (0..count).collect();

@@ -38,6 +38,8 @@ pub struct Body {
     pub internal_energy: f64,
     /// Density at the start, kg/m^3.
     pub density: f64,
+    /// Distention at the start, 1 without pores.
+    pub distention: f64,
     pub motion: Motion,
     pub flow: Option<Flow>,
     pub blast: Option<Blast>,
@@ -95,7 +97,7 @@ impl Body {
     pub fn constants(&self, particles: u64, eta: f64) -> BodyConstants {
         let particle_mass = self.mass() / particles as f64;
         let smoothing_length = eta * root(particle_mass / self.density, self.dimension);
-        BodyConstants { particle_mass, smoothing_length, particles, density: self.density }
+        BodyConstants { particle_mass, smoothing_length, particles, density: self.density, distention: self.distention }
     }
 
     /// Smoothing length as expected from the lattice, before particles are counted, m.
@@ -129,7 +131,8 @@ const COARSEST_PROJECTILE: u64 = 100;
 impl Reader<'_> {
     pub fn read(&self, raw: &mut RawBody, material: (usize, &MaterialTable)) -> Result<Body> {
         let shape = self.shape(&raw.shape)?;
-        let (density, internal_energy) = self.thermal_state(raw, material.1)?;
+        let distention = self.distention(raw, material.1)?;
+        let (density, internal_energy) = self.thermal_state(raw, material.1, distention)?;
         let rotation = self.rotation(raw)?;
         let lattice = self.lattice(raw, &shape, rotation)?;
         let zero = |n: usize| vec![0.0; n];
@@ -157,6 +160,7 @@ impl Reader<'_> {
             damage: self.damage(raw, material.1)?,
             internal_energy,
             density,
+            distention,
             motion: Motion::Free,
             flow: self.flow(raw)?,
             blast: self.blast(raw)?,
@@ -279,9 +283,27 @@ impl Reader<'_> {
         Ok(raw.damage.map_or(0.0, |damage| damage.0))
     }
 
-    /// Density and specific internal energy.
-    fn thermal_state(&self, raw: &mut RawBody, material: &MaterialTable) -> Result<(f64, f64)> {
-        let reference = material.reference_density().map(Density::new);
+    fn distention(&self, raw: &mut RawBody, material: &MaterialTable) -> Result<f64> {
+        let Some(table) = &material.porosity else {
+            return match raw.distention {
+                None => Ok(1.0),
+                Some(_) => {
+                    let what = format!("material `{}` has no porosity, so there is no distention", raw.material);
+                    let error = self.error("distention", what);
+                    Err(error.allowed(format!("a table [material.{}.porosity]", raw.material)))
+                }
+            };
+        };
+        let distention = *raw.distention.get_or_insert(table.distention);
+        if distention.0 >= 1.0 && distention.0.is_finite() {
+            return Ok(distention.0);
+        }
+        Err(self.error("distention", format!("distention is {distention}")).allowed("1 (no pores) and above"))
+    }
+
+    /// Density and specific internal energy; a porous body is as heavy as its matrix.
+    fn thermal_state(&self, raw: &mut RawBody, material: &MaterialTable, distention: f64) -> Result<(f64, f64)> {
+        let reference = material.reference_density().map(|density| Density::new(density / distention));
         let Some(density) = raw.density.or(reference) else {
             return Err(self.error("density", "key `density` is missing: a gas has no density of its own"));
         };

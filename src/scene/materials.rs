@@ -163,12 +163,17 @@ mod tests {
         for name in library.keys().filter(|name| *name != EVERY) {
             let stored = library[name].as_table().unwrap();
             let mut text = format!("[[body]]\nmaterial = \"{name}\"\n[material.{name}]\n");
-            for table in stored.keys().filter(|k| *k != "eos") {
+            for table in stored.keys().filter(|k| !["eos", "porosity"].contains(&k.as_str())) {
                 text += &format!("{table} = true\n");
             }
-            let table: MaterialTable =
-                completed(&text).unwrap()[name].clone().try_into().unwrap_or_else(|e| panic!("{name}: {e}"));
-            table.validate(name).unwrap();
+            let porosity = stored.get("porosity").and_then(Value::as_table);
+            let laws = porosity.into_iter().flatten().filter(|(_, law)| law.is_table());
+            let porous = laws.map(|(law, _)| format!("{text}porosity = {{ {law} = true }}\n"));
+            for text in porous.chain([text.clone()]) {
+                let table: MaterialTable =
+                    completed(&text).unwrap()[name].clone().try_into().unwrap_or_else(|e| panic!("{name}: {e}"));
+                table.validate(name).unwrap();
+            }
         }
     }
 

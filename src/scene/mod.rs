@@ -5,6 +5,7 @@ pub mod ask;
 pub mod body;
 pub mod boundaries;
 pub mod compare;
+mod curves;
 pub mod impact;
 mod keys;
 pub mod lattice;
@@ -67,7 +68,9 @@ pub fn read(path: &Path, overrides: &[String]) -> Result<Scene> {
     let place = path.display().to_string();
     let text =
         std::fs::read_to_string(path).map_err(|e| Error::new(format!("cannot read the scene: {e}")).at(&place))?;
-    Scene::from_source(Source { path: place, text, overrides: overrides.to_vec() })
+    let mut source = Source { path: place, text, overrides: overrides.to_vec() };
+    curves::read_into(&mut source)?;
+    Scene::from_source(source)
 }
 
 impl Scene {

@@ -68,6 +68,7 @@ pub struct RawBody {
     pub velocity: Option<Components<Speed>>,
     pub spin: Option<Components<Frequency>>,
     pub damage: Option<Number>,
+    pub distention: Option<Number>,
     pub density: Option<Density>,
     pub internal_energy: Option<SpecificEnergy>,
     pub pressure: Option<Pressure>,

@@ -26,7 +26,7 @@ pub struct Document<'a> {
 }
 
 /// Keys that say the same thing in another way: where one is set over a scene, the later word counts.
-const RIVALS: [(&str, &[&str]); 9] = [
+const RIVALS: [(&str, &[&str]); 15] = [
     ("particles", &["spacing"]),
     ("spacing", &["particles"]),
     ("snapshots", &["every"]),
@@ -36,6 +36,12 @@ const RIVALS: [(&str, &[&str]); 9] = [
     ("angle", &["seed"]),
     ("pressure", &["internal_energy"]),
     ("internal_energy", &["pressure"]),
+    ("p_alpha", &["rho_alpha", "epsilon_alpha"]),
+    ("rho_alpha", &["p_alpha", "epsilon_alpha"]),
+    ("epsilon_alpha", &["p_alpha", "rho_alpha"]),
+    ("quadratic", &["two_slope", "measured"]),
+    ("two_slope", &["quadratic", "measured"]),
+    ("measured", &["quadratic", "two_slope"]),
 ];
 
 impl<'a> Document<'a> {
@@ -137,14 +143,17 @@ impl<'a> Document<'a> {
         let path = self.resolve(key);
         let steps: Vec<&str> = path.split('.').collect();
         let (last, parents) = steps.split_last().expect("split yields one part or more");
+        let off = value.as_bool() == Some(false);
+        for (depth, key) in steps.iter().enumerate().filter(|_| !off) {
+            let rivals = RIVALS.iter().find(|(rival, _)| rival == key).map_or(&[][..], |(_, rivals)| *rivals);
+            if let Some(table) = descend(&mut self.tree, &steps[..depth]).filter(|_| !rivals.is_empty()) {
+                rivals.iter().for_each(|rival| drop(table.remove(*rival)));
+            }
+        }
         let table = descend(&mut self.tree, parents).ok_or_else(|| {
             Error::new(format!("`{key}` leads through a key that is not a table")).at(format!("--set {text}"))
         })?;
-        for rivals in RIVALS.iter().filter(|(key, _)| key == last).map(|(_, rivals)| *rivals) {
-            rivals.iter().for_each(|rival| drop(table.remove(*rival)));
-        }
-        let removes =
-            value.as_bool() == Some(false) && table.get(*last).is_some_and(|old| old.is_table() || old.is_array());
+        let removes = off && table.get(*last).is_some_and(|old| old.is_table() || old.is_array());
         if removes {
             table.remove(*last)
         } else {

@@ -5,6 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Slopes;
 use crate::error::{Error, Result};
 use crate::units::Number;
 
@@ -40,6 +41,14 @@ impl IdealGas {
     pub fn pressure(&self, rho: f64, u: f64) -> (f64, f64) {
         let heat = (self.gamma - 1.0) * if u < 0.0 { 0.0 } else { u };
         (heat * rho, (self.gamma * heat).sqrt())
+    }
+
+    /// Pressure and its derivatives.
+    #[inline]
+    pub fn slopes(&self, rho: f64, u: f64) -> Slopes {
+        let by_u = (self.gamma - 1.0) * rho;
+        let heat = (self.gamma - 1.0) * if u < 0.0 { 0.0 } else { u };
+        Slopes { p: heat * rho, by_rho: heat, by_u }
     }
 }
 

@@ -3,10 +3,12 @@
 //! the momentum sums.
 //!
 //! u specific internal energy, J/kg; P pressure, Pa; c speed of sound, m/s.
-//! Columns: owns `internal_energy`; sets the core columns `pressure` and `sound_speed`.
+//! Columns: owns `internal_energy`; sets the core columns `pressure` and `sound_speed`, but for porous bodies, whose pressure
+//! is that of their matrix (see `porosity`).
 //! Time step: none of its own; the Courant condition uses its speed of sound.
 
 pub mod ideal_gas;
+pub mod simplified_tillotson;
 pub mod tillotson;
 
 use serde::{Deserialize, Serialize};
@@ -15,6 +17,7 @@ use super::{Core, Local, MaterialEffect, MaterialTable, PerBody, Setup, Table};
 use crate::error::Result;
 use crate::particles::{Column, ColumnInfo, Integrated, Life, Registry};
 use ideal_gas::{IdealGas, IdealGasTable};
+use simplified_tillotson::{SimplifiedTillotson, SimplifiedTillotsonTable};
 use tillotson::{Tillotson, TillotsonTable};
 
 /// Name of the column that this effect owns.
@@ -25,6 +28,7 @@ pub const INTERNAL_ENERGY: &str = "internal_energy";
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum EosTable {
     Tillotson(TillotsonTable),
+    SimplifiedTillotson(SimplifiedTillotsonTable),
     IdealGas(IdealGasTable),
 }
 
@@ -32,6 +36,7 @@ impl EosTable {
     pub fn law(&self) -> Eos {
         match self {
             EosTable::Tillotson(table) => Eos::Tillotson(Tillotson::new(table)),
+            EosTable::SimplifiedTillotson(table) => Eos::SimplifiedTillotson(SimplifiedTillotson::new(table)),
             EosTable::IdealGas(table) => Eos::IdealGas(IdealGas::new(table)),
         }
     }
@@ -41,6 +46,7 @@ impl Table for EosTable {
     fn validate(&self, place: &str, _material: &MaterialTable) -> Result<()> {
         match self {
             EosTable::Tillotson(table) => table.validate(&format!("{place}.tillotson")),
+            EosTable::SimplifiedTillotson(table) => table.validate(&format!("{place}.simplified_tillotson")),
             EosTable::IdealGas(table) => table.validate(&format!("{place}.ideal_gas")),
         }
     }
@@ -50,6 +56,7 @@ impl Table for EosTable {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Eos {
     Tillotson(Tillotson),
+    SimplifiedTillotson(SimplifiedTillotson),
     IdealGas(IdealGas),
 }
 
@@ -59,7 +66,18 @@ impl Eos {
     pub fn pressure(&self, rho: f64, u: f64) -> (f64, f64) {
         match self {
             Eos::Tillotson(law) => law.pressure(rho, u),
+            Eos::SimplifiedTillotson(law) => law.pressure(rho, u),
             Eos::IdealGas(law) => law.pressure(rho, u),
+        }
+    }
+
+    /// Pressure and its derivatives.
+    #[inline]
+    pub fn slopes(&self, rho: f64, u: f64) -> Slopes {
+        match self {
+            Eos::Tillotson(law) => law.slopes(rho, u),
+            Eos::SimplifiedTillotson(law) => law.slopes(rho, u),
+            Eos::IdealGas(law) => law.slopes(rho, u),
         }
     }
 
@@ -67,6 +85,7 @@ impl Eos {
     pub fn reference_density(&self) -> Option<f64> {
         match self {
             Eos::Tillotson(law) => Some(law.reference_density()),
+            Eos::SimplifiedTillotson(law) => Some(law.reference_density()),
             Eos::IdealGas(_) => None,
         }
     }
@@ -75,6 +94,7 @@ impl Eos {
     pub fn bulk_modulus(&self) -> Option<f64> {
         match self {
             Eos::Tillotson(law) => Some(law.bulk_modulus()),
+            Eos::SimplifiedTillotson(law) => Some(law.bulk_modulus()),
             Eos::IdealGas(_) => None,
         }
     }
@@ -83,14 +103,65 @@ impl Eos {
     pub fn vaporisation(&self) -> Option<[f64; 2]> {
         match self {
             Eos::Tillotson(law) => Some(law.vaporisation()),
-            Eos::IdealGas(_) => None,
+            Eos::SimplifiedTillotson(_) | Eos::IdealGas(_) => None,
         }
     }
 }
 
-/// Internal energy, pressure and speed of sound of every particle; always present.
+/// Pressure and its partial derivatives.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slopes {
+    /// Pa.
+    pub p: f64,
+    /// At constant energy, m^2/s^2.
+    pub by_rho: f64,
+    /// At constant density, kg/m^3.
+    pub by_u: f64,
+}
+
+impl Slopes {
+    /// c^2 = dP/drho + P / rho^2 dP/du, m^2/s^2.
+    #[inline]
+    pub fn sound2(&self, rho: f64) -> f64 {
+        self.by_rho + self.p * self.by_u / (rho * rho)
+    }
+}
+
+/// The speed of sound of a solid, m/s, whose square is at least a quarter of that at rest, `rest2`.
+#[inline]
+pub fn bounded_sound(sound2: f64, rest2: f64) -> f64 {
+    let lowest = 0.25 * rest2;
+    if sound2 < lowest { lowest } else { sound2 }.sqrt()
+}
+
+/// Where tension begins to fade, and where it has gone, as rho / rho_0.
+const TENSION_FADES: f64 = 0.95;
+const TENSION_GONE: f64 = 0.85;
+
+/// Tension of matter that has expanded too far to pull: it fades linearly between eta = 0.95 and 0.85. The strongest pull that
+/// is left, 0.056 A at most, is a few times the spall strength of metals, and rock breaks at strains of 1e-3, so that solids
+/// are limited by their own fracture and never by this.
+#[inline]
+fn fading(state: Slopes, eta: f64, inverse_rho_0: f64) -> Slopes {
+    if !(state.p < 0.0 && eta < TENSION_FADES) {
+        return state;
+    }
+    let slope = 1.0 / (TENSION_FADES - TENSION_GONE);
+    if eta <= TENSION_GONE {
+        return Slopes { p: 0.0, by_rho: 0.0, by_u: 0.0 };
+    }
+    let share = (eta - TENSION_GONE) * slope;
+    Slopes {
+        p: share * state.p,
+        by_rho: share * state.by_rho + state.p * slope * inverse_rho_0,
+        by_u: share * state.by_u,
+    }
+}
+
+/// Internal energy of every particle, pressure and speed of sound of those that are not porous; always present.
 pub struct EquationOfState {
-    laws: PerBody<Eos>,
+    /// `None` where all bodies are porous.
+    laws: Option<PerBody<Eos>>,
     density: Column<f64>,
     energy: Integrated<f64>,
     pressure: Column<f64>,
@@ -99,7 +170,7 @@ pub struct EquationOfState {
 
 impl MaterialEffect for EquationOfState {
     fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Option<Self> {
-        let laws = PerBody::new(setup, |_, material| Some(material.eos.law()))?;
+        let laws = PerBody::new(setup, |_, material| material.porosity.is_none().then(|| material.eos.law()));
         let energy = registry.owner("eos").integrated(ColumnInfo {
             name: INTERNAL_ENERGY,
             unit: "J/kg",
@@ -130,10 +201,11 @@ impl MaterialEffect for EquationOfState {
             sound_speed.set(i, c);
         };
         let state = |i: usize| (density.get(i), energy.get(i));
-        for (law, range) in self.laws.runs(local) {
+        for (law, range) in self.laws.iter().flat_map(|laws| laws.runs(local)) {
             // The law is chosen outside the loop over particles.
             match law {
                 Eos::Tillotson(law) => range.for_each(|i| set(i, law.pressure(state(i).0, state(i).1))),
+                Eos::SimplifiedTillotson(law) => range.for_each(|i| set(i, law.pressure(state(i).0, state(i).1))),
                 Eos::IdealGas(law) => range.for_each(|i| set(i, law.pressure(state(i).0, state(i).1))),
             }
         }

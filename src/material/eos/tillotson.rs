@@ -13,20 +13,16 @@
 //! The published form fails in expansion, where it was never fitted; three guards, each outside the range of the fit:
 //! - For mu < 0, B mu^2 is dropped where B > 2 A (nylon, water), and B counts as A where it lies between: with B > A cold
 //!   matter below eta = 1 - A/B would explode.
-//! - Tension fades linearly between eta = 0.95 and 0.85. The formula pulls harder and harder down to eta = 0.5 (with
-//!   A/4); a solid does not. The strongest pull that is left, 0.056 A at most, is a few times the spall strength of
-//!   metals, and rock breaks at strains of 1e-3, so that solids are limited by their own fracture and never by this.
+//! - Tension fades (see [`super::fading`]): the formula pulls harder and harder down to eta = 0.5 (with A/4); a solid does not.
 //! - c^2 >= A / (4 rho_0), as c^2 < 0 in half of the expanded states.
 
 use serde::{Deserialize, Serialize};
 
 use super::super::setup::{all_positive, none_negative};
+use super::{Slopes, bounded_sound, fading};
 use crate::error::{Error, Result};
 use crate::units::{Density, Number, Pressure, SpecificEnergy};
 
-/// Where tension begins to fade, and where it has gone, as rho / rho_0.
-const TENSION_FADES: f64 = 0.95;
-const TENSION_GONE: f64 = 0.85;
 /// Smallest rho / rho_0 that enters the formulas, so that none of them overflows.
 const LOWEST_ETA: f64 = 1e-8;
 
@@ -90,17 +86,6 @@ pub struct Tillotson {
     e_cv: f64,
     alpha: f64,
     beta: f64,
-    lowest_c2: f64,
-}
-
-/// Pressure and its partial derivatives.
-#[derive(Debug, Clone, Copy)]
-struct State {
-    p: f64,
-    /// At constant energy, m^2/s^2.
-    by_rho: f64,
-    /// At constant density, kg/m^3.
-    by_u: f64,
 }
 
 impl Tillotson {
@@ -118,7 +103,6 @@ impl Tillotson {
             e_cv: table.e_cv.0,
             alpha: table.alpha.0,
             beta: table.beta.0,
-            lowest_c2: 0.25 * modulus_a / rho_0,
         }
     }
 
@@ -139,17 +123,25 @@ impl Tillotson {
     /// Pressure, Pa, and speed of sound, m/s. An energy below zero counts as zero.
     #[inline]
     pub fn pressure(&self, rho: f64, u: f64) -> (f64, f64) {
-        // Comparisons, as f64::max would turn a NaN into a number and hide it.
+        let state = self.slopes(rho, u);
+        (state.p, bounded_sound(state.sound2(self.bounded(rho)), self.modulus_a * self.inverse_rho_0))
+    }
+
+    /// Pressure and its derivatives, of an energy of at least zero.
+    #[inline]
+    pub fn slopes(&self, rho: f64, u: f64) -> Slopes {
+        self.state(self.bounded(rho), if u < 0.0 { 0.0 } else { u })
+    }
+
+    /// Comparisons, as f64::max would turn a NaN into a number and hide it.
+    #[inline]
+    fn bounded(&self, rho: f64) -> f64 {
         let lowest = LOWEST_ETA * self.rho_0;
-        let rho = if rho < lowest { lowest } else { rho };
-        let u = if u < 0.0 { 0.0 } else { u };
-        let state = self.state(rho, u);
-        let c2 = state.by_rho + state.p * state.by_u / (rho * rho);
-        (state.p, if c2 < self.lowest_c2 { self.lowest_c2 } else { c2 }.sqrt())
+        if rho < lowest { lowest } else { rho }
     }
 
     #[inline]
-    fn state(&self, rho: f64, u: f64) -> State {
+    fn state(&self, rho: f64, u: f64) -> Slopes {
         let eta = rho * self.inverse_rho_0;
         if eta >= 1.0 {
             return self.condensed(rho, u, self.modulus_b[0]);
@@ -161,18 +153,18 @@ impl Tillotson {
         } else {
             self.mixture(rho, u)
         };
-        if state.p < 0.0 && eta < TENSION_FADES { self.fading(state, eta) } else { state }
+        fading(state, eta, self.inverse_rho_0)
     }
 
     /// P_c.
     #[inline]
-    fn condensed(&self, rho: f64, u: f64, modulus_b: f64) -> State {
+    fn condensed(&self, rho: f64, u: f64, modulus_b: f64) -> Slopes {
         let eta = rho * self.inverse_rho_0;
         let mu = eta - 1.0;
         let scale = self.e_0 * eta * eta;
         let inverse_omega = scale / (scale + u);
         let gamma = self.a + self.b * inverse_omega;
-        State {
+        Slopes {
             p: gamma * rho * u + (self.modulus_a + modulus_b * mu) * mu,
             by_rho: (gamma + 2.0 * self.b * inverse_omega * (1.0 - inverse_omega)) * u
                 + (self.modulus_a + 2.0 * modulus_b * mu) * self.inverse_rho_0,
@@ -181,7 +173,7 @@ impl Tillotson {
     }
 
     /// P_e.
-    fn vapour(&self, rho: f64, u: f64) -> State {
+    fn vapour(&self, rho: f64, u: f64) -> Slopes {
         let eta = rho * self.inverse_rho_0;
         let mu = eta - 1.0;
         let nu = 1.0 / eta - 1.0;
@@ -194,7 +186,7 @@ impl Tillotson {
         let nu_by_rho = -self.inverse_rho_0 / (eta * eta);
         let bracket_by_rho = self.b * u * inverse_omega * (3.0 - 2.0 * inverse_omega)
             + cold * (self.inverse_rho_0 - self.beta * mu * nu_by_rho);
-        State {
+        Slopes {
             p: self.a * rho * u + bracket * decay,
             by_rho: self.a * u + (bracket_by_rho - 2.0 * self.alpha * nu * nu_by_rho * bracket) * decay,
             by_u: (self.a + self.b * inverse_omega * inverse_omega * decay) * rho,
@@ -202,29 +194,15 @@ impl Tillotson {
     }
 
     /// Between incipient and complete vaporisation.
-    fn mixture(&self, rho: f64, u: f64) -> State {
+    fn mixture(&self, rho: f64, u: f64) -> Slopes {
         let (cold, hot) = (self.condensed(rho, u, self.modulus_b[1]), self.vapour(rho, u));
         let by_fraction = 1.0 / (self.e_cv - self.e_iv);
         let fraction = (u - self.e_iv) * by_fraction;
         let mix = |c: f64, h: f64| c + fraction * (h - c);
-        State {
+        Slopes {
             p: mix(cold.p, hot.p),
             by_rho: mix(cold.by_rho, hot.by_rho),
             by_u: mix(cold.by_u, hot.by_u) + (hot.p - cold.p) * by_fraction,
-        }
-    }
-
-    /// Tension of matter that has expanded too far to pull.
-    fn fading(&self, state: State, eta: f64) -> State {
-        let slope = 1.0 / (TENSION_FADES - TENSION_GONE);
-        if eta <= TENSION_GONE {
-            return State { p: 0.0, by_rho: 0.0, by_u: 0.0 };
-        }
-        let share = (eta - TENSION_GONE) * slope;
-        State {
-            p: share * state.p,
-            by_rho: share * state.by_rho + state.p * slope * self.inverse_rho_0,
-            by_u: share * state.by_u,
         }
     }
 }
@@ -232,7 +210,7 @@ impl Tillotson {
 #[cfg(test)]
 mod tests {
     use super::super::super::testing::{basalt, nylon};
-    use super::super::Eos;
+    use super::super::{Eos, TENSION_FADES, TENSION_GONE};
     use super::*;
 
     fn law(material: super::super::super::MaterialTable) -> Tillotson {
@@ -339,7 +317,7 @@ mod tests {
             for eta in [0.0, 1e-300, 1e-9, 1e-4, 0.02, 0.3, 0.5, 0.8, 0.9, 0.99, 1.0, 1.5, 4.0] {
                 for u in [-1e6, 0.0, 1e-300, 1.0, 1e6, 4e6, 1e7, 7e7, 1e10] {
                     let (p, c) = law.pressure(eta * law.rho_0, u);
-                    assert!(p.is_finite() && c.is_finite() && c * c >= 0.999 * law.lowest_c2, "{eta} {u}: {p} {c}");
+                    assert!(p.is_finite() && c.is_finite() && c * c >= 0.999 * 0.25 * law.modulus_a / law.rho_0, "{eta} {u}: {p} {c}");
                 }
             }
             assert!(law.pressure(f64::NAN, 0.0).0.is_nan() && law.pressure(law.rho_0, f64::NAN).0.is_nan());

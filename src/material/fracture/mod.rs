@@ -10,6 +10,9 @@
 //! flaw, n_act and n_tot its active flaws and all its flaws; c_g speed of a crack, m/s; R_s radius of the particle's
 //! kernel at the start, m.
 //!
+//! In porous bodies the strain is that of the matrix: of alpha sigma, as both moduli of the body are those of the matrix over
+//! alpha. Compaction adds its own growth of D^(1/3) (Jutzi et al. 2008, eq. 59; see `porosity`), up to D = 1.
+//!
 //! How many flaws a particle has, and at which strains they open, see `flaws`.
 //!
 //! Damage acts through a view of the stress, [`damaged_stress`], and is never written back into it.
@@ -21,7 +24,7 @@ pub mod flaws;
 use serde::{Deserialize, Serialize};
 
 use super::setup::{Table, all_positive};
-use super::{Core, Diagnostic, Local, MaterialEffect, MaterialTable, PerBody, Setup, strength};
+use super::{Core, Diagnostic, Local, MaterialEffect, MaterialTable, PerBody, Setup, porosity, strength};
 use crate::error::{Error, Result};
 use crate::math::{Deviator, Sym};
 use crate::particles::{Column, ColumnInfo, Columns, Life, ParticleId, Registry};
@@ -90,6 +93,7 @@ struct Brittle {
     /// c_g / R_s, 1/s.
     growth: f64,
     initial_damage: f64,
+    porous: bool,
 }
 
 impl Brittle {
@@ -106,6 +110,7 @@ impl Brittle {
             youngs_modulus: 9.0 * bulk * shear / (3.0 * bulk + shear),
             growth: CRACK_SPEED * sound / (2.0 * constants.smoothing_length),
             initial_damage: setup.initial_damage[body],
+            porous: material.porosity.is_some(),
         })
     }
 
@@ -154,6 +159,8 @@ pub struct Fracture {
     threshold: Column<f64>,
     stress: Column<Deviator>,
     pressure: Column<f64>,
+    /// Distention and growth of D^(1/3) by compaction, where a porous body can break.
+    pores: Option<(Column<f64>, Column<f64>)>,
 }
 
 impl MaterialEffect for Fracture {
@@ -161,11 +168,12 @@ impl MaterialEffect for Fracture {
         let bodies = PerBody::new(setup, |body, material| Brittle::new(setup, body, material))?;
         let stress = registry.find(strength::DEVIATORIC_STRESS)?;
         let state = |name, about, snapshot| ColumnInfo { name, unit: "", about, life: Life::State, snapshot };
+        let pores = registry.find(porosity::DISTENTION).zip(registry.find(porosity::COMPACTION_DAMAGE));
         registry.owner("fracture");
         let damage = registry.column(state(DAMAGE, "Damage, 0 intact to 1 broken.", true));
         let threshold =
             registry.column(state("activation_threshold", "Strain at which the weakest flaw begins to grow.", false));
-        Some(Self { bodies, id: core.id, damage, threshold, stress, pressure: core.pressure })
+        Some(Self { bodies, id: core.id, damage, threshold, stress, pressure: core.pressure, pores })
     }
 
     fn name(&self) -> &'static str {
@@ -186,15 +194,27 @@ impl MaterialEffect for Fracture {
         let (id, damage, threshold) = (local.view(self.id), local.view(self.damage), local.view(self.threshold));
         let (stress, pressure) = (local.view(self.stress), local.view(self.pressure));
         for (brittle, range) in self.bodies.runs(local) {
+            let pores = self.pores.filter(|_| brittle.porous);
+            let pores = pores.map(|(distention, compaction)| (local.view(distention), local.view(compaction)));
             for i in range {
                 let d = damage.get(i);
                 let intact = 1.0 - d;
                 if intact <= 0.0 {
                     continue;
                 }
-                let strain = brittle.strain_above(threshold.get(i), &stress.get(i), pressure.get(i), intact);
+                let (mut s, mut p) = (stress.get(i), pressure.get(i));
+                if let Some((distention, _)) = &pores {
+                    let alpha = distention.get(i);
+                    (s, p) = (s.scaled(alpha), alpha * p);
+                }
+                let strain = brittle.strain_above(threshold.get(i), &s, p, intact);
                 if let Some(strain) = strain {
                     damage.set(i, brittle.grown(id.get(i), d, strain, local.dt));
+                }
+                let crushing = pores.as_ref().map_or(0.0, |(_, compaction)| compaction.get(i));
+                if crushing > 0.0 {
+                    let root = libm::cbrt(damage.get(i)) + crushing;
+                    damage.set(i, (root * root * root).clamp(damage.get(i), 1.0));
                 }
             }
         }
@@ -251,7 +271,7 @@ mod tests {
 
     fn brittle() -> Brittle {
         let flaws = flaws(1);
-        Brittle { flaws, youngs_modulus: 5e10, growth: 2.0, initial_damage: 0.0 }
+        Brittle { flaws, youngs_modulus: 5e10, growth: 2.0, initial_damage: 0.0, porous: false }
     }
 
     /// One flaw: D = (c_g t / R_s)^3, up to 1 and no further.
@@ -325,7 +345,7 @@ mod tests {
         let spacing: f64 = 0.02;
         let weakest = |dimension: i32| {
             let particle_mass = 2700.0 * spacing.powi(dimension);
-            let constants = BodyConstants { particle_mass, smoothing_length: 0.024, particles: 1000, density: 2700.0 };
+            let constants = BodyConstants { particle_mass, smoothing_length: 0.024, particles: 1000, density: 2700.0, distention: 1.0 };
             let setup = Setup {
                 dimension: dimension as usize,
                 materials: &[basalt()],

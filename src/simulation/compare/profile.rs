@@ -24,8 +24,9 @@ use crate::random::uniform_pair;
 use crate::step::Stepper;
 use crate::step::diagnostics::sum_over_ranks;
 
-const FIELDS: [(&str, &str); 4] =
-    [("density", "kg/m^3"), ("velocity", "m/s"), ("stress", "Pa"), ("internal_energy", "J/kg")];
+const FIELDS: [(&str, &str); 5] =
+    [("density", "kg/m^3"), ("velocity", "m/s"), ("stress", "Pa"), ("internal_energy", "J/kg"), ("distention", "")];
+const FIELD_COUNT: usize = FIELDS.len();
 
 /// Points at which the solution is looked at.
 const POINTS: usize = 4001;
@@ -34,8 +35,8 @@ const SHOWN: f64 = 3000.0;
 /// Plateaus and fronts are measured this many smoothing lengths away from others.
 const MARGIN: f64 = 4.0;
 
-fn fields(state: &State) -> [f64; 4] {
-    [state.density, state.velocity, state.stress, state.internal_energy]
+fn fields(state: &State) -> [f64; FIELD_COUNT] {
+    [state.density, state.velocity, state.stress, state.internal_energy, state.distention]
 }
 
 /// A particle along the coordinate.
@@ -50,6 +51,7 @@ struct Reader<'a, 'c, const D: usize> {
     stepper: &'a Stepper<'c, D>,
     deviator: Option<Column<Deviator>>,
     energy: Option<Column<f64>>,
+    distention: Option<Column<f64>>,
     place: Place,
 }
 
@@ -71,11 +73,12 @@ impl<const D: usize> Reader<'_, '_, D> {
             }
         };
         let mass = self.stepper.settings.constants[columns.get(core.id, i).body()].particle_mass;
-        let internal_energy = self.energy.map_or(f64::NAN, |column| columns.get(column, i));
+        let read = |column: Option<Column<f64>>| column.map_or(f64::NAN, |column| columns.get(column, i));
+        let (internal_energy, distention) = (read(self.energy), read(self.distention));
         Sample {
             s,
             mass,
-            state: State { density: columns.get(core.density.value, i), velocity, stress, internal_energy },
+            state: State { density: columns.get(core.density.value, i), velocity, stress, internal_energy, distention },
         }
     }
 }
@@ -99,6 +102,7 @@ pub fn compare<const D: usize>(
         stepper,
         deviator: registry.find("deviatoric_stress"),
         energy: registry.find("internal_energy"),
+        distention: registry.find("distention"),
         place: profile.place,
     };
     let counts = |s: f64| (profile.within[0]..=profile.within[1]).contains(&s);
@@ -118,8 +122,8 @@ pub fn compare<const D: usize>(
 }
 
 fn norms(profile: &Profile, samples: &[Sample], time: f64, comm: &Comm) -> Vec<(String, f64)> {
-    let mut sums = vec![ExactSum::new(); 8];
-    let mut scale = [0.0; 4];
+    let mut sums = vec![ExactSum::new(); 2 * FIELD_COUNT];
+    let mut scale = [0.0; FIELD_COUNT];
     for p in samples {
         let (exact, found) = (fields(&(profile.at)(p.s, time)), fields(&p.state));
         let volume = p.mass / p.state.density;
@@ -207,14 +211,14 @@ fn features(
 }
 
 /// Means by mass of all fields between two places; `None` where there is nothing. Collective.
-fn means(samples: &[Sample], low: f64, high: f64, comm: &Comm) -> Option<[f64; 4]> {
-    let mut sums = vec![ExactSum::new(); 5];
+fn means(samples: &[Sample], low: f64, high: f64, comm: &Comm) -> Option<[f64; FIELD_COUNT]> {
+    let mut sums = vec![ExactSum::new(); FIELD_COUNT + 1];
     for p in samples.iter().filter(|p| (low..=high).contains(&p.s)) {
-        sums[4].add(p.mass);
+        sums[FIELD_COUNT].add(p.mass);
         fields(&p.state).iter().zip(&mut sums).filter(|(q, _)| q.is_finite()).for_each(|(q, sum)| sum.add(p.mass * q));
     }
     let sums = sum_over_ranks(&mut sums, comm);
-    (sums[4] > 0.0).then(|| std::array::from_fn(|k| sums[k] / sums[4]))
+    (sums[FIELD_COUNT] > 0.0).then(|| std::array::from_fn(|k| sums[k] / sums[FIELD_COUNT]))
 }
 
 /// Where the mean of a field over slabs crosses the middle of its two levels, nearest to `at`. Collective.
@@ -270,12 +274,12 @@ fn draw<const D: usize>(
     if !comm.is_root() {
         return agree(comm, Ok(()));
     }
-    let rows: Vec<[f64; 5]> = received
+    let rows: Vec<[f64; FIELD_COUNT + 1]> = received
         .iter()
-        .flat_map(|(_, words)| words.chunks_exact(5).map(|w| std::array::from_fn(|k| f64::from_bits(w[k]))))
+        .flat_map(|(_, words)| words.chunks_exact(FIELD_COUNT + 1).map(|w| std::array::from_fn(|k| f64::from_bits(w[k]))))
         .collect();
     let (radius, step) = (matches!(profile.place, Place::Radius(_)), (ends[1] - ends[0]) / (POINTS - 1) as f64);
-    let curve: Vec<(f64, [f64; 4])> =
+    let curve: Vec<(f64, [f64; FIELD_COUNT])> =
         (0..POINTS).map(|k| ends[0] + k as f64 * step).map(|s| (s, fields(&(profile.at)(s, time)))).collect();
     let draw = |(k, (name, unit)): (usize, &(&str, &str))| {
         let series = |label: &str, points: Vec<(f64, f64)>, mark| Series {
@@ -293,7 +297,7 @@ fn draw<const D: usize>(
         let figure = Figure {
             title: format!("{title} (t = {time:.4e} s)"),
             x: axis(if radius { "distance from the centre (m)".into() } else { "x (m)".into() }),
-            y: axis(format!("{} ({unit})", name.replace('_', " "))),
+            y: axis(if unit.is_empty() { name.to_string() } else { format!("{} ({unit})", name.replace('_', " ")) }),
             series: vec![particles, exact],
         };
         figure.draw(&directory.join(format!("compare_{name}.png")))

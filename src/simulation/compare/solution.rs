@@ -1,6 +1,7 @@
 //! From a scene to the solution it names.
 
 use crate::error::{Error, Result};
+use crate::exact::compaction::Sponge;
 use crate::exact::piston::{Piston, Solid};
 use crate::exact::riemann::{Gas, Riemann};
 use crate::exact::shock::{Impact, Medium};
@@ -158,9 +159,13 @@ fn piston(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
     };
     let driven = scene.bodies.iter().find(|body| moving(&body.motion).is_none());
     let driven = driven.ok_or_else(|| needs("a body that is driven"))?;
-    let solid = Solid::of(material(scene, driven)).ok_or_else(|| needs("a solid"))?;
+    let driven_material = material(scene, driven);
     let face = if speed > 0.0 { faces[1] } else { faces[0] };
-    let solution = Piston::new(&solid, speed.abs())?;
+    let solution = match Sponge::of(driven_material, driven.distention) {
+        Some(_) if driven_material.has_strength() => return Err(needs("a porous solid without strength")),
+        Some(sponge) => sponge.piston(speed.abs())?,
+        None => Piston::new(&Solid::of(driven_material).ok_or_else(|| needs("a solid"))?, speed.abs())?,
+    };
     let side = speed.signum();
     let at = Box::new(move |x: f64, t: f64| {
         let x = side * (x - face);
@@ -171,7 +176,13 @@ fn piston(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
     Ok(Profile { place: ALONG_X, within, at, origin: face })
 }
 
-const NOTHING: State = State { density: f64::NAN, velocity: f64::NAN, stress: f64::NAN, internal_energy: f64::NAN };
+const NOTHING: State = State {
+    density: f64::NAN,
+    velocity: f64::NAN,
+    stress: f64::NAN,
+    internal_energy: f64::NAN,
+    distention: f64::NAN,
+};
 
 /// The lower body is the projectile. Strength is no part of the solution: the scene must do without.
 fn impact(scene: &Scene, within: [f64; 2], released: bool) -> Result<Profile> {
@@ -207,7 +218,7 @@ fn impact(scene: &Scene, within: [f64; 2], released: bool) -> Result<Profile> {
                 return NOTHING;
             }
             let (density, velocity) = (release.density, release.velocity + rest);
-            State { density, velocity, stress: 0.0, internal_energy: release.internal_energy }
+            State { density, velocity, internal_energy: release.internal_energy, ..State::default() }
         })
     } else {
         Box::new(move |x, t| {

@@ -1,0 +1,335 @@
+//! The state of porous matter from its density, its energy and the pores it has left.
+//!
+//! ```text
+//! P = P_s(alpha rho, u) / alpha                                    Jutzi et al. 2008, eq. 3 (Carroll & Holt 1972)
+//! P-alpha      alpha = alpha_crush(P) on first loading             rho-alpha: with P at u = 0    epsilon-alpha: alpha(rho)
+//! f = 1 + rho / alpha d alpha / d rho                              eq. 53
+//! ```
+//! P-alpha is solved for alpha, as the return to a yield surface is: a trial state with the pores of before; where it lies beyond
+//! the crush curve, the state on the curve that has this density and energy. So alpha stands on the curve whatever the step,
+//! unloading and loading again change nothing, and P >= P_s leaves alpha = 1 exactly. Rates (eqs 24-25) drift off the curve, and
+//! ratchet where loading is told from the sign of dP/dt alone.
+//!
+//! f for P-alpha without a division by the rate of density, with du = P / rho^2 drho:
+//!
+//! ```text
+//! f = { alpha + alpha' P [1 + P_u / (alpha rho)] } / { alpha + alpha' [P - rho P_rho] }      alpha' = d alpha / dP
+//! ```
+//! P_u, P_rho derivatives of the matrix pressure P_s. f may be negative: then the matrix expands while the body is compressed
+//! (alpha_0 above (c + 2) / c). No density is bounded from below here.
+
+use super::crush_curve::CrushCurve;
+use super::elastic::Elastic;
+use super::strain_law::StrainLaw;
+use crate::material::eos::{Eos, Slopes, bounded_sound};
+
+/// How distention follows compression.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Compaction {
+    Pressure { curve: CrushCurve, elastic: Option<Elastic> },
+    ColdPressure(CrushCurve),
+    Strain(StrainLaw),
+}
+
+/// Porous matter of one body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Porous {
+    pub compaction: Compaction,
+    /// Of the matrix.
+    pub eos: Eos,
+    /// Square of the matrix's bulk speed of sound at rest, m^2/s^2.
+    pub sound2_at_rest: f64,
+    /// Distention that the body starts with.
+    pub initial: f64,
+}
+
+/// What became of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    pub distention: f64,
+    /// Distention it would have without load: that of rigid pores.
+    pub unloaded: f64,
+    /// Pa.
+    pub pressure: f64,
+    /// Bulk speed of sound, m/s.
+    pub sound_speed: f64,
+    /// f, not bounded; 1 where no pore gives way.
+    pub stress_factor: f64,
+}
+
+impl Porous {
+    /// State at density `rho`, kg/m^3, and internal energy `u`, J/kg, of matter whose pores were `unloaded` without load.
+    #[inline]
+    pub fn state(&self, rho: f64, u: f64, unloaded: f64) -> State {
+        if unloaded <= 1.0 {
+            return self.with(rho, u, (1.0, 1.0), |_| 1.0);
+        }
+        match &self.compaction {
+            Compaction::Pressure { curve, elastic: None } => self.crushed(rho, u, u, curve, unloaded),
+            Compaction::Pressure { curve, elastic: Some(elastic) } => self.elastic(rho, u, (curve, elastic), unloaded),
+            Compaction::ColdPressure(curve) => self.crushed(rho, u, 0.0, curve, unloaded),
+            Compaction::Strain(law) => {
+                let (alpha, by_strain) = law.at(rho);
+                if alpha < unloaded {
+                    self.with(rho, u, (alpha, alpha), |_| 1.0 - by_strain / alpha)
+                } else {
+                    self.with(rho, u, (unloaded, unloaded), |_| 1.0)
+                }
+            }
+        }
+    }
+
+    /// Rigid pores: `u_curve` is the energy that the pressure of the crush curve knows of.
+    #[inline]
+    fn crushed(&self, rho: f64, u: f64, u_curve: f64, curve: &CrushCurve, unloaded: f64) -> State {
+        let trial = self.pressure(rho, u_curve, unloaded);
+        if curve.at(trial).0 >= unloaded {
+            return self.with(rho, u, (unloaded, unloaded), |_| 1.0);
+        }
+        let alpha = self.on_curve(rho, u_curve, curve, unloaded);
+        self.with(rho, u, (alpha, alpha), |hot| {
+            if u_curve == u {
+                return self.factor(rho, alpha, curve.at(hot.p / alpha).1, hot, hot.by_u);
+            }
+            let cold = self.eos.slopes(alpha * rho, u_curve);
+            self.factor(rho, alpha, curve.at(cold.p / alpha).1, &cold, 0.0)
+        })
+    }
+
+    /// Elastic pores: first along the elastic line, then, where this ends beyond the crush curve, on the curve.
+    fn elastic(&self, rho: f64, u: f64, (curve, elastic): (&CrushCurve, &Elastic), unloaded: f64) -> State {
+        if self.pressure(rho, u, unloaded) <= 0.0 {
+            return self.with(rho, u, (unloaded, unloaded), |_| 1.0);
+        }
+        // Beyond the first digits above 1 the line is as stiff as the matrix.
+        let lowest = 1.0 + 1e-12 * (unloaded - 1.0);
+        let alpha = solve(lowest, unloaded, |alpha| {
+            let (p, by_alpha) = self.pressure_and_slope(rho, u, alpha);
+            (p - elastic.pressure(alpha, unloaded), by_alpha - 1.0 / elastic.slope(alpha))
+        });
+        let p = elastic.pressure(alpha, unloaded);
+        if p <= curve.elastic_limit() || curve.at(p).0 >= alpha {
+            return self.with(rho, u, (alpha, unloaded), |hot| {
+                self.factor(rho, alpha, elastic.slope(alpha), hot, hot.by_u)
+            })
+            .slowed(rho, elastic.slope(alpha));
+        }
+        let alpha = self.on_curve(rho, u, curve, alpha);
+        if alpha <= 1.0 {
+            return self.with(rho, u, (1.0, 1.0), |_| 1.0);
+        }
+        let p = self.pressure(rho, u, alpha);
+        // The line that leads back from here: its pressure at alpha is p.
+        let above = elastic.pressure(alpha, unloaded) - p;
+        let left = solve(alpha, unloaded, |left| {
+            (above - elastic.pressure(left, unloaded), -1.0 / elastic.slope(left))
+        });
+        self.with(rho, u, (alpha, left), |hot| self.factor(rho, alpha, curve.at(p).1, hot, hot.by_u))
+            .slowed(rho, elastic.slope(alpha))
+    }
+
+    /// The distention below `unloaded` at which the crush curve has this density and energy.
+    fn on_curve(&self, rho: f64, u: f64, curve: &CrushCurve, unloaded: f64) -> f64 {
+        if self.pressure(rho, u, 1.0) >= curve.solid_pressure() {
+            return 1.0;
+        }
+        solve(1.0, unloaded, |alpha| {
+            let (p, by_alpha) = self.pressure_and_slope(rho, u, alpha);
+            let (crushed, by_p) = curve.at(p);
+            (alpha - crushed, 1.0 - by_p * by_alpha)
+        })
+    }
+
+    #[inline]
+    fn pressure(&self, rho: f64, u: f64, alpha: f64) -> f64 {
+        self.eos.slopes(alpha * rho, u).p / alpha
+    }
+
+    /// P and dP/dalpha at constant density and energy.
+    fn pressure_and_slope(&self, rho: f64, u: f64, alpha: f64) -> (f64, f64) {
+        let matrix = self.eos.slopes(alpha * rho, u);
+        let p = matrix.p / alpha;
+        (p, (rho * matrix.by_rho - p) / alpha)
+    }
+
+    /// f on a path with the slope `by_p`, 1/Pa.
+    fn factor(&self, rho: f64, alpha: f64, by_p: f64, matrix: &Slopes, by_u: f64) -> f64 {
+        let p = matrix.p / alpha;
+        (alpha + by_p * p * (1.0 + by_u / (alpha * rho))) / (alpha + by_p * (p - rho * matrix.by_rho))
+    }
+
+    #[inline]
+    fn with(&self, rho: f64, u: f64, (alpha, unloaded): (f64, f64), factor: impl Fn(&Slopes) -> f64) -> State {
+        let matrix_density = alpha * rho;
+        let matrix = self.eos.slopes(matrix_density, u);
+        State {
+            distention: alpha,
+            unloaded,
+            pressure: matrix.p / alpha,
+            sound_speed: bounded_sound(matrix.sound2(matrix_density), self.sound2_at_rest),
+            stress_factor: factor(&matrix),
+        }
+    }
+}
+
+impl State {
+    /// The same with the speed of sound where pores give way elastically: dP/drho on the line.
+    fn slowed(self, rho: f64, by_p: f64) -> Self {
+        let c2 = self.sound_speed * self.sound_speed;
+        let give = 1.0 - by_p * (c2 * rho - self.pressure) / self.distention;
+        Self { sound_speed: (c2 / give.max(1.0)).sqrt(), ..self }
+    }
+}
+
+/// The root of `f`, which gives its value and slope, between `low`, where it is at most zero, and `high`, where it is above:
+/// Newton's steps from above, halved where they would leave the bracket.
+fn solve(mut low: f64, mut high: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
+    /// Enough to halve the bracket down to neighbouring numbers.
+    const MOST: usize = 64;
+    let mut x = high;
+    for _ in 0..MOST {
+        let (value, slope) = f(x);
+        if value == 0.0 {
+            return x;
+        }
+        if value > 0.0 { high = x } else { low = x }
+        let newton = x - value / slope;
+        let next = if newton > low && newton < high { newton } else { low + 0.5 * (high - low) };
+        // The last digits of distention are noise of the equation of state.
+        if (next - x).abs() <= 4.0 * f64::EPSILON * x {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::{aluminium, ice, simple};
+    use super::*;
+
+    /// alpha stands on the curve after any step, the pressure is the matrix's over alpha, and nothing changes when the same
+    /// state is looked at again.
+    #[test]
+    fn states_lie_on_or_below_the_crush_curve() {
+        for porous in [simple(3.0, 2.0), aluminium(1.275), ice(3.0)] {
+            let Compaction::Pressure { curve, .. } = &porous.compaction else { unreachable!() };
+            let rho_0 = porous.eos.reference_density().unwrap() / porous.initial;
+            let mut crushed = 0;
+            for k in 0..400 {
+                let rho = rho_0 * (1.0 + 1e-4 * f64::from(k * k));
+                for u in [0.0, 1e3, 1e5] {
+                    let state = porous.state(rho, u, porous.initial);
+                    assert!(state.distention >= 1.0 && state.distention <= state.unloaded);
+                    let p = porous.eos.slopes(state.distention * rho, u).p / state.distention;
+                    assert_eq!(state.pressure, p);
+                    let bound = curve.at(p).0;
+                    let elastic = p <= curve.elastic_limit();
+                    assert!(elastic || state.distention <= bound * (1.0 + 1e-9), "{rho} {u} {state:?} {bound}");
+                    if state.unloaded < porous.initial {
+                        crushed += 1;
+                        assert!((state.distention - bound).abs() < 1e-9, "{rho} {u} {state:?} {bound}");
+                        assert_eq!(state.distention == 1.0, p >= curve.solid_pressure());
+                    }
+                    let again = porous.state(rho, u, state.unloaded);
+                    assert!((again.distention - state.distention).abs() < 1e-11, "{again:?} {state:?}");
+                    assert!((again.unloaded - state.unloaded).abs() < 1e-11);
+                }
+            }
+            assert!(crushed > 300, "{crushed}");
+        }
+    }
+
+    /// Load, unload, load again, ten times between 2.0e8 and 3.5e8 Pa: alpha stays where the largest pressure put it. Telling
+    /// loading from the sign of dP/dt alone would end at alpha = 1.
+    #[test]
+    fn cycles_of_load_do_not_ratchet() {
+        let porous = simple(3.0, 2.0);
+        let Compaction::Pressure { curve, .. } = &porous.compaction else { unreachable!() };
+        let at_pressure = |p: f64, unloaded: f64| {
+            let (mut low, mut high) = (800.0, 3000.0);
+            while high - low > 1e-12 * high {
+                let middle = 0.5 * (low + high);
+                if porous.state(middle, 0.0, unloaded).pressure < p { low = middle } else { high = middle }
+            }
+            porous.state(high, 0.0, unloaded)
+        };
+        let mut unloaded = at_pressure(3.5e8, 3.0).unloaded;
+        let first = curve.at(3.5e8).0;
+        assert!((unloaded - first).abs() < 1e-9 && (first - 1.637).abs() < 1e-3, "{unloaded} {first}");
+        for _ in 0..10 {
+            for share in 0..=20 {
+                let p = 2.0e8 + 1.5e8 * f64::from(share) / 20.0;
+                unloaded = at_pressure(p, unloaded).unloaded;
+            }
+        }
+        assert!((unloaded - first).abs() < 1e-8, "{unloaded} {first}");
+    }
+
+    /// f against its definition, 1 + rho / alpha d alpha / d rho with du = P / rho^2 drho, by differences, in all laws.
+    #[test]
+    fn the_factor_is_that_of_its_definition() {
+        for porous in [simple(3.0, 2.0), aluminium(1.275), ice(3.0), super::super::testing::cold(3.0), super::super::testing::strained(3.0)] {
+            let rho_0 = porous.eos.reference_density().unwrap() / porous.initial;
+            for compression in [1.003, 1.05, 1.2, 1.7] {
+                let (rho, u) = (rho_0 * compression, 2e4);
+                let here = porous.state(rho, u, porous.initial);
+                if here.unloaded == porous.initial || here.distention == 1.0 {
+                    continue;
+                }
+                let d = 1e-6 * rho;
+                let side = |d: f64| porous.state(rho + d, u + here.pressure / (rho * rho) * d, porous.initial).distention;
+                let by_rho = (side(d) - side(-d)) / (2.0 * d);
+                let expected = 1.0 + rho / here.distention * by_rho;
+                assert!((here.stress_factor - expected).abs() < 2e-5, "{compression} {here:?} {expected}");
+            }
+        }
+    }
+
+    /// Without pores everything is as in the solid, bit for bit.
+    #[test]
+    fn no_pores_are_a_solid() {
+        let porous = ice(1.0);
+        for rho in [850.0, 917.0, 1300.0] {
+            let state = porous.state(rho, 3e5, porous.initial);
+            assert_eq!((state.pressure, state.sound_speed), porous.eos.pressure(rho, 3e5));
+            assert_eq!((state.distention, state.unloaded, state.stress_factor), (1.0, 1.0, 1.0));
+        }
+    }
+
+    /// Under tension and far expansion pores stay as they are; nothing is ever no number.
+    #[test]
+    fn expansion_leaves_pores_alone() {
+        for porous in [simple(3.0, 2.0), aluminium(1.275), ice(3.0)] {
+            let rho_0 = porous.eos.reference_density().unwrap() / porous.initial;
+            for eta in [1e-6, 1e-3, 0.5, 0.9, 0.999] {
+                for unloaded in [porous.initial, 1.0 + 0.3 * (porous.initial - 1.0), 1.0] {
+                    let state = porous.state(eta * rho_0, 0.0, unloaded);
+                    assert_eq!(state.distention, unloaded);
+                    assert!(state.pressure <= 0.0 && state.sound_speed > 0.0 && state.stress_factor == 1.0);
+                }
+            }
+        }
+    }
+
+    /// The elastic line: slower sound, and back to alpha_0 without load.
+    #[test]
+    fn elastic_pores_come_back() {
+        let porous = aluminium(1.275);
+        let rho_0 = 2700.0 / 1.275;
+        let pressed = porous.state(rho_0 * 1.001, 0.0, 1.275);
+        assert!(pressed.distention < 1.275 && pressed.unloaded == 1.275 && pressed.pressure < 8e7);
+        // dP/drho by differences; cold, the matrix's own speed is sqrt(A / rho_0) = 5277 m/s.
+        let work = pressed.pressure / (rho_0 * 1.001 * 1.001);
+        let side = |d: f64| porous.state(rho_0 * (1.001 + d), work * d, 1.275).pressure;
+        let slope = (side(1e-6) - side(-1e-6)) / (2e-6 * rho_0);
+        assert!((pressed.sound_speed / slope.sqrt() - 1.0).abs() < 2e-4, "{} {}", pressed.sound_speed, slope.sqrt());
+        assert!((pressed.sound_speed - 4080.0).abs() < 20.0, "{}", pressed.sound_speed);
+        assert_eq!(porous.state(rho_0, 0.0, 1.275).distention, 1.275);
+        // Unloaded from the curve, it ends at a smaller distention, and loads again up to where it was.
+        let crushed = porous.state(rho_0 * 1.1, 0.0, 1.275);
+        let back = porous.state(crushed.unloaded.recip() * 2700.0, 0.0, crushed.unloaded);
+        assert!(back.pressure.abs() < 1e-3 * 8e7 && crushed.unloaded > crushed.distention && crushed.unloaded < 1.275);
+    }
+}
