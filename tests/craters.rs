@@ -212,7 +212,8 @@ fn sums_are_the_same_on_any_ranks() {
         let info = ColumnInfo { name: "distention", unit: "", about: "", life: Life::State, snapshot: true };
         let alpha = registry.column::<f64>(info);
         let body = |particle_mass, density, particles| BodyConstants { particle_mass, density, particles, ..EMPTY };
-        let constants = [body(0.3, 900.0, 4000), body(0.11, 2700.0, 200), body(0.7, 2700.0, 500)];
+        let porous = BodyConstants { distention: 3.0, ..body(0.3, 900.0, 4000) };
+        let constants = [porous, body(0.11, 2700.0, 200), body(0.7, 2700.0, 500)];
         let mine = (0..4700u64).filter(|i| (uniform(5, *i, 9) * comm.size() as f64) as usize == comm.rank());
         let mine: Vec<u64> = mine.collect();
         let mut columns = Columns::new(registry);
@@ -243,7 +244,6 @@ fn sums_are_the_same_on_any_ranks() {
             projectile: 1,
             ejection_speed: Some(5.0),
             extent: 3.0,
-            distention: vec![3.0, 1.0, 1.0],
         };
         let found = crater::evaluate(comm, (&columns, &core), &constants, &question);
         let (ejected, compaction) = (found.crater.ejected.unwrap(), found.crater.compaction.unwrap());
@@ -258,10 +258,42 @@ fn sums_are_the_same_on_any_ranks() {
     });
 }
 
-const EMPTY: BodyConstants = BodyConstants { particle_mass: 0.0, smoothing_length: 0.0, particles: 0, density: 0.0 };
+const EMPTY: BodyConstants =
+    BodyConstants { particle_mass: 0.0, smoothing_length: 0.0, particles: 0, density: 0.0, distention: 1.0 };
 
 fn csv(run: &Path, name: &str) -> String {
     std::fs::read_to_string(run.join(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
+}
+
+/// A porous shell around solid ground, hit: pores are crushed, and counted alike on one rank and on two.
+#[test]
+fn porous_ground_is_crushed() {
+    let scene = GROUND
+        .replace("material = \"basalt\"\nparticles = 3000", "material = \"regolith\"\nparticles = 3000")
+        .replace("[outcome]", "[material.regolith]\nbase = \"basalt\"\n[material.regolith.porosity]\n[material.regolith.porosity.p_alpha.quadratic]\n[outcome]")
+        .replace("\"6 ms\"", "\"3 ms\"\n[numerics]\nsmoothing_length = { follows = \"density\" }");
+    let run = |ranks: usize| {
+        let dir = tempfile::tempdir().expect("a temporary directory");
+        Launch::in_directory(ranks, dir.path(), &scene, &[]).run().expect_code(0);
+        let out = dir.path().join("run");
+        (dir, summary(&out), ["ejecta.csv", "crater.csv", "distention.csv"].map(|name| csv(&out, name)))
+    };
+    let (one, two) = (run(1), run(2));
+    assert_eq!(one.2, two.2);
+    assert_eq!(one.1["outcome"], two.1["outcome"]);
+    let figure = |name: &str| one.1["outcome"][name].as_f64().unwrap_or_else(|| panic!("{name} in {}", one.1));
+    println!("{} {}", one.1["outcome"], one.1["energy_drift"]);
+    assert_eq!(figure("minimum_distention"), 1.0);
+    assert!(figure("compacted_volume") > figure("crushed_volume") * 2.0 / 3.0 && figure("crushed_volume") > 0.0);
+    assert!(figure("compacted_volume") < figure("ground_mass") / 900.0);
+    // Crushed at the surface, whole far below.
+    let profile: Vec<f64> = one.2[2]
+        .lines()
+        .skip(1)
+        .map(|row| row.split(',').nth(1).and_then(|x| x.parse().ok()).expect("a number"))
+        .collect();
+    assert!(profile[0] < 1.5 && profile[profile.len() - 1] > 2.9, "{profile:?}");
+    assert!(one.0.path().join("run/distention.png").exists());
 }
 
 /// The same bits on one rank and on two; a crater, ejecta, no remnants; nothing comes back from the shell.
@@ -340,6 +372,33 @@ output = { picture = false, history_every = 1 }
 
 #[test]
 fn scenes_of_the_inputs_are_read() {
+    let read = |name: &str, change: &[&str]| {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("inputs/{name}.toml"));
+        let change: Vec<String> = change.iter().map(|text| text.to_string()).collect();
+        scene::read(&path, &change).unwrap_or_else(|e| panic!("{e}"))
+    };
+    // The variants that the scenes name, with the same mass.
+    let cold = ["material.M.porosity.p_alpha=false", "material.M.porosity.rho_alpha.quadratic=true"];
+    let solid = ["material.ice.porosity=false", "material.ice.eos.tillotson.rho_0=305.67 kg/m^3"];
+    let strain = ["material.basalt.porosity.p_alpha=false", "material.basalt.porosity.epsilon_alpha=true"];
+    let of = |material: &str, change: [&str; 2]| change.map(|text| text.replace(".M.", &format!(".{material}.")));
+    for (name, change) in [
+        ("deep_impact", of("ice", cold)),
+        ("deep_impact", of("ice", solid)),
+        ("compaction_models", of("basalt", cold)),
+        ("compaction_models", of("basalt", strain)),
+        ("compaction_models", of("basalt", ["material.basalt.porosity.p_alpha.quadratic.P_s=10 MPa", "run.until=1 s"])),
+    ] {
+        let (plain, changed) = (read(name, &[]), read(name, &[&change[0], &change[1]]));
+        for (a, b) in plain.bodies.iter().zip(&changed.bodies) {
+            assert!((a.mass() / b.mass() - 1.0).abs() < 1e-4, "{name} {change:?}: {} {}", a.mass(), b.mass());
+        }
+        assert!(plain.materials != changed.materials, "{change:?}");
+    }
+    read(
+        "crush_curve",
+        &["material.pumice.porosity.p_alpha=false", "material.pumice.porosity.rho_alpha.two_slope=true"],
+    );
     for name in ["deep_impact", "compaction_models"] {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("inputs/{name}.toml"));
         let scene = scene::read(&path, &[]).unwrap_or_else(|e| panic!("{e}"));
@@ -347,4 +406,46 @@ fn scenes_of_the_inputs_are_read() {
         // 370 kg, as in the paper.
         assert!((scene.bodies[1].mass() - 370.0).abs() < 0.1, "{}", scene.bodies[1].mass());
     }
+}
+
+/// A column of pumice that is pressed together, ten times faster than the scene does: its curve is the one that was put in,
+/// and it is crushed evenly. The curve knows of no heat: above half of P_s that of P-alpha lies lower than what rho-alpha needs.
+#[test]
+fn pumice_gives_back_its_crush_curve() {
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/inputs/crush_curve.toml");
+    let dir = tempfile::tempdir().expect("a temporary directory");
+    let out = dir.path().join("run");
+    let fast = [
+        "column.flow.stretch=[\"-4000 Hz\", 0, 0]",
+        "layer=[{ x = [\"-12 mm\", \"-9 mm\"], motion = { velocity = [36, 0, 0] } }, { x = [\"9 mm\", \"12 mm\"], motion = { velocity = [-36, 0, 0] } }]",
+        "material.pumice.viscosity.alpha=0.02",
+        "run.until=\"0.18 ms\"",
+    ];
+    let mut args = vec![scene, "--out", out.to_str().expect("a plain path")];
+    fast.iter().for_each(|change| args.extend(["--set", change]));
+    Launch::scene(2, &args).run().expect_code(0);
+    let text = csv(&out, "history.csv");
+    let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let names = lines.next().expect("a header");
+    let at =
+        |name: &str| names.iter().position(|found| *found == name).unwrap_or_else(|| panic!("{name} in {names:?}"));
+    let columns =
+        ["sample_pressure [Pa]", "sample_density [kg/m^3]", "sample_distention", "sample_distention_scatter"].map(at);
+    let curve = |p: f64| {
+        // Jutzi et al. 2008, eq. 21 and table 2.
+        let (p_e, p_t, p_s, alpha_t, alpha_0) = (1e6, 6.8e7, 2.13e8, 1.9, 4.64);
+        let slow = 1.0 + (alpha_t - 1.0) * ((p_s - p) / (p_s - p_e)).max(0.0).powi(3);
+        slow + (alpha_0 - alpha_t) * ((p_t - p) / (p_t - p_e)).max(0.0).powi(12)
+    };
+    let (mut rows, mut worst, mut scatter) = (0, 0.0f64, 0.0f64);
+    for row in lines {
+        let [p, rho, alpha, spread] = columns.map(|k| row[k].parse::<f64>().expect("a number"));
+        if p > 1.2e6 && p < 2e8 {
+            rows += 1;
+            worst = worst.max((2327.0 / rho / curve(p) - 1.0).abs()).max((alpha / curve(p) - 1.0).abs());
+            scatter = scatter.max(spread / alpha);
+        }
+    }
+    println!("{rows} rows, off by {worst:.2e}, scatter {scatter:.2e}");
+    assert!(rows > 50 && worst < 0.02 && scatter < 0.02, "{rows} rows, off by {worst}, scatter {scatter}");
 }

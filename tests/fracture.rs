@@ -178,7 +178,13 @@ impl Elements {
         let material =
             MaterialTable { fracture: basalt.fracture.map(|table| FractureTable { seed, ..table }), ..basalt };
         let particle_mass = DENSITY * edge * edge * edge;
-        let constants = [BodyConstants { particle_mass, smoothing_length: ETA * edge, particles, density: DENSITY, distention: 1.0 }];
+        let constants = [BodyConstants {
+            particle_mass,
+            smoothing_length: ETA * edge,
+            particles,
+            density: DENSITY,
+            distention: 1.0,
+        }];
         let setup = Setup {
             dimension: 3,
             materials: &[material],

@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 
 use super::profiles::{Bowl, Ejecta, Pores};
 use crate::domain::comm::Comm;
+use crate::material::porosity::DISTENTION;
 use crate::material::{BodyConstants, Core};
 use crate::math::{ExactSum, Vec3};
 use crate::particles::{Column, Columns};
@@ -38,8 +39,6 @@ pub struct Question {
     pub ejection_speed: Option<f64>,
     /// A width in which the ground has room, m.
     pub extent: f64,
-    /// Distention of each body at the start; 1 without pores.
-    pub distention: Vec<f64>,
 }
 
 /// The outcome in figures.
@@ -123,7 +122,7 @@ impl Ground<'_> {
             (body != question.projectile).then(|| {
                 let constants = &self.constants[body];
                 let from_face = self.columns.get(self.core.position, i) - question.face;
-                let first = question.distention[body];
+                let first = constants.distention;
                 Grain {
                     height: from_face[question.up],
                     aside: [from_face.x, if question.up == 2 { from_face.y } else { 0.0 }],
@@ -145,13 +144,13 @@ pub fn evaluate(
     constants: &[BodyConstants],
     question: &Question,
 ) -> CraterEvaluation {
-    let distention = columns.registry.find::<f64>("distention");
+    let distention = columns.registry.find::<f64>(DISTENTION);
     let ground = Ground { columns, core, constants, distention, question };
     let volume = constants[question.target].particle_mass / constants[question.target].density;
     let spacing = if columns.registry.dimension == 3 { libm::cbrt(volume) } else { volume.sqrt() };
     let mass = |body: &BodyConstants| body.particle_mass * body.particles as f64;
     let projectile_mass = mass(&constants[question.projectile]);
-    let has_pores = distention.is_some() && question.distention.iter().any(|first| *first > 1.0);
+    let has_pores = distention.is_some() && constants.iter().any(|body| body.distention > 1.0);
 
     let ejecta = Ejecta::count(comm, ground.grains());
     let fastest = question.ejection_speed.unwrap_or(f64::INFINITY);

@@ -41,7 +41,6 @@ fn question(scene: &Scene) -> Option<Question> {
         projectile: impact.projectile,
         ejection_speed: scene.outcome.map(|asked| asked.ejection_speed),
         extent,
-        distention: scene.bodies.iter().map(|_| 1.0).collect(),
     })
 }
 

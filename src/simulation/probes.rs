@@ -10,6 +10,7 @@
 //! Sums are exact: no order of particles or ranks changes a bit.
 
 use crate::domain::comm::Comm;
+use crate::material::porosity::DISTENTION;
 use crate::math::ExactSum;
 use crate::scene::Scene;
 use crate::step::Stepper;
@@ -32,7 +33,7 @@ pub fn row<const D: usize>(scene: &Scene, stepper: &Stepper<D>, comm: &Comm) -> 
         return Vec::new();
     }
     let (columns, core) = (&stepper.columns, &stepper.settings.core);
-    let distention = columns.registry.find::<f64>("distention");
+    let distention = columns.registry.find::<f64>(DISTENTION);
     let mut sums = vec![ExactSum::new(); SUMS * scene.probes.len()];
     for i in 0..columns.len() {
         let id = columns.get(core.id, i);

@@ -117,7 +117,7 @@ pub fn draw_cut<const D: usize>(source: &PictureSource<D>, comm: &Comm) -> Resul
         title: format!("{} (t = {:.4} s)", scene.title, source.time),
         plane,
         ejected: scene.outcome.map(|asked| (up, asked.ejection_speed)),
-        distention: 1.0,
+        distention: scene.bodies.iter().fold(1.0, |most: f64, body| most.max(body.distention)),
     };
     let particles = (&source.stepper.columns, &source.stepper.settings.constants[..]);
     cut::draw(&source.directory.join("outcome.png"), &picture, particles, comm)
@@ -283,13 +283,13 @@ pub fn crossing(scene: &Scene) -> f64 {
     2.0 * largest / sound_speed(scene, scene.impact.as_ref().map_or(0, |impact| impact.target))
 }
 
-/// Longitudinal speed of sound of a body at the start, m/s.
+/// Longitudinal speed of sound of a body at the start, m/s; rigid pores do not change that of the matrix.
 pub fn sound_speed(scene: &Scene, body: usize) -> f64 {
     let body = &scene.bodies[body];
-    let material = &scene.materials[body.material];
-    let (_, bulk) = material.eos.law().pressure(body.density, body.internal_energy);
+    let (material, density) = (&scene.materials[body.material], body.density * body.distention);
+    let (_, bulk) = material.eos.law().pressure(density, body.internal_energy);
     let shear = material.strength.as_ref().map_or(0.0, |strength| strength.shear_modulus.0);
-    (bulk * bulk + 4.0 / 3.0 * shear / body.density).sqrt()
+    (bulk * bulk + 4.0 / 3.0 * shear / density).sqrt()
 }
 
 /// The end of a run on the terminal, rank 0.

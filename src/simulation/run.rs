@@ -17,6 +17,7 @@ use super::state::{Conservation, RunState, Spent};
 use super::{directory, resources};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
+use crate::material::porosity::DISTENTION;
 use crate::outcome::Outcome;
 use crate::outcome::settled::Settled;
 use crate::output::publish::replace_text;
@@ -142,7 +143,7 @@ impl<'a, const D: usize> Run<'a, D> {
         stepper.counters = state.counters;
         let totals = stepper.totals();
         let mut columns = report::history_columns(&stepper.settings.effects, stepper.settings.motions.is_some(), scene);
-        columns.extend(probes::columns(scene, stepper.columns.registry.find::<f64>("distention").is_some()));
+        columns.extend(probes::columns(scene, stepper.columns.registry.find::<f64>(DISTENTION).is_some()));
         let labels: Vec<(&str, &str)> = columns.iter().map(|(name, unit)| (name.as_str(), unit.as_str())).collect();
         let resumed = (state.counters.steps > 0).then_some(state.counters.steps);
         let history = History::open(&options.directory.join("history.csv"), &labels, resumed, comm)?;

@@ -15,6 +15,7 @@ use super::scale::{Scale, number};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::material::BodyConstants;
+use crate::material::porosity::DISTENTION;
 use crate::math::Vec3;
 use crate::output::agree;
 use crate::particles::{Column, Columns, ParticleId};
@@ -100,7 +101,7 @@ fn left(picture: &Picture, columns: &Columns) -> Result<Quantity> {
     if let Some(value) = scalar("damage") {
         return Ok(Quantity { limits: Some((0.0, 1.0)), ..Quantity::new("Damage", "", value) });
     }
-    if let Some(value) = scalar("distention") {
+    if let Some(value) = scalar(DISTENTION) {
         let limits = Some((1.0, picture.distention));
         return Ok(Quantity { limits, shades: Shades::Greys, ..Quantity::new("Distention", "", value) });
     }

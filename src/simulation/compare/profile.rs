@@ -276,7 +276,9 @@ fn draw<const D: usize>(
     }
     let rows: Vec<[f64; FIELD_COUNT + 1]> = received
         .iter()
-        .flat_map(|(_, words)| words.chunks_exact(FIELD_COUNT + 1).map(|w| std::array::from_fn(|k| f64::from_bits(w[k]))))
+        .flat_map(|(_, words)| {
+            words.chunks_exact(FIELD_COUNT + 1).map(|w| std::array::from_fn(|k| f64::from_bits(w[k])))
+        })
         .collect();
     let (radius, step) = (matches!(profile.place, Place::Radius(_)), (ends[1] - ends[0]) / (POINTS - 1) as f64);
     let curve: Vec<(f64, [f64; FIELD_COUNT])> =

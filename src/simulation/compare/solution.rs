@@ -176,13 +176,8 @@ fn piston(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
     Ok(Profile { place: ALONG_X, within, at, origin: face })
 }
 
-const NOTHING: State = State {
-    density: f64::NAN,
-    velocity: f64::NAN,
-    stress: f64::NAN,
-    internal_energy: f64::NAN,
-    distention: f64::NAN,
-};
+const NOTHING: State =
+    State { density: f64::NAN, velocity: f64::NAN, stress: f64::NAN, internal_energy: f64::NAN, distention: f64::NAN };
 
 /// The lower body is the projectile. Strength is no part of the solution: the scene must do without.
 fn impact(scene: &Scene, within: [f64; 2], released: bool) -> Result<Profile> {
