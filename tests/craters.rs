@@ -408,18 +408,19 @@ fn scenes_of_the_inputs_are_read() {
     }
 }
 
-/// A column of pumice that is pressed together, ten times faster than the scene does: its curve is the one that was put in,
-/// and it is crushed evenly. The curve knows of no heat: above half of P_s that of P-alpha lies lower than what rho-alpha needs.
+/// A column of pumice that is pressed together, ten times faster than the scene does: the curve that it gives back differs from
+/// the one that was put in by 0.1 %, its distention by 0.2 %, and scatters by 1.1 % of itself at most.
 #[test]
 fn pumice_gives_back_its_crush_curve() {
     let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/inputs/crush_curve.toml");
     let dir = tempfile::tempdir().expect("a temporary directory");
     let out = dir.path().join("run");
     let fast = [
-        "column.flow.stretch=[\"-4000 Hz\", 0, 0]",
-        "layer=[{ x = [\"-12 mm\", \"-9 mm\"], motion = { velocity = [36, 0, 0] } }, { x = [\"9 mm\", \"12 mm\"], motion = { velocity = [-36, 0, 0] } }]",
+        "column.flow.stretch=[\"-3000 Hz\", 0, 0]",
+        "bottom.motion.velocity=[36, 0, 0]",
+        "piston.motion.velocity=[-36, 0, 0]",
         "material.pumice.viscosity.alpha=0.02",
-        "run.until=\"0.18 ms\"",
+        "run.until=0.2503 ms",
     ];
     let mut args = vec![scene, "--out", out.to_str().expect("a plain path")];
     fast.iter().for_each(|change| args.extend(["--set", change]));
@@ -447,5 +448,5 @@ fn pumice_gives_back_its_crush_curve() {
         }
     }
     println!("{rows} rows, off by {worst:.2e}, scatter {scatter:.2e}");
-    assert!(rows > 50 && worst < 0.02 && scatter < 0.02, "{rows} rows, off by {worst}, scatter {scatter}");
+    assert!(rows > 300 && worst < 0.005 && scatter < 0.02, "{rows} rows, off by {worst}, scatter {scatter}");
 }

@@ -232,8 +232,14 @@ fn outcome_figures<const D: usize>(report: &Report<D>) -> Figures {
     }
     let diagnostics = report.stepper.settings.effects.iter().flat_map(|effect| effect.diagnostics());
     for (diagnostic, total) in diagnostics.zip(&report.totals.effects) {
-        let share = diagnostic.name.strip_suffix("_mass").map(|what| format!("{what}_fraction"));
-        figures.push((share.unwrap_or_else(|| diagnostic.name.to_string()), total / report.totals.mass));
+        match diagnostic.name.strip_suffix("_mass") {
+            Some(what) => figures.push((format!("{what}_fraction"), total / report.totals.mass)),
+            // A crater may have told it.
+            None if figures.iter().all(|(name, _)| name != diagnostic.name) => {
+                figures.push((diagnostic.name.to_string(), *total))
+            }
+            None => {}
+        }
     }
     Figures(figures)
 }
