@@ -6,6 +6,7 @@ mod balance;
 mod boundaries;
 mod common;
 mod compaction;
+mod craters;
 mod errors;
 mod exact;
 mod faults;

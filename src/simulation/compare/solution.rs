@@ -168,7 +168,7 @@ fn piston(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
         Some((axis, v[axis]))
     };
     let of_layer =
-        |layer: &Layer| moving(&layer.motion).map(|(axis, v)| (axis, v, [layer.low[axis], layer.high[axis]]));
+        |layer: &Layer| moving(&layer.motion).map(|(axis, v)| (axis, v, [layer.part.low[axis], layer.part.high[axis]]));
     let of_body =
         |body: &Body| moving(&body.motion).map(|(axis, v)| ends_along(body, axis).map(|ends| (axis, v, ends)));
     let layer = scene.layers.iter().find_map(of_layer);
