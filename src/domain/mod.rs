@@ -5,7 +5,6 @@ pub mod comm;
 pub mod decomposition;
 pub mod ghosts;
 pub mod migration;
-pub mod order;
 pub mod watch;
 
 pub use bisection::Bisection;

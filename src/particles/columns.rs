@@ -5,7 +5,11 @@
 use std::marker::PhantomData;
 use std::sync::Arc;
 
+use rayon::prelude::*;
+
 use super::id::ParticleId;
+use super::large_pages::prefer_large_pages;
+use super::order::Reordering;
 use crate::math::{Deviator, Vec3};
 
 /// What a column holds per particle.
@@ -244,6 +248,8 @@ impl Columns {
     /// New particles are zero in every column.
     pub fn resize(&mut self, len: usize) {
         for (column, entry) in self.words.iter_mut().zip(&self.registry.entries) {
+            column.reserve_exact((len * entry.width).saturating_sub(column.len()));
+            prefer_large_pages(column);
             column.resize(len * entry.width, 0);
         }
         self.len = len;
@@ -294,21 +300,23 @@ impl Columns {
 
     /// The particles in the order `order[new] = old`; `scratch` is reused between calls.
     pub fn reorder(&mut self, order: &[u32], scratch: &mut Vec<u64>) {
-        // What stands in front of the first that moves stays; the rest goes in runs that stand together already.
-        let first = order.iter().zip(0..).take_while(|(old, new)| **old == *new).count();
-        let runs: Vec<(usize, usize)> =
-            order[first..].chunk_by(|a, b| a + 1 == *b).map(|run| (run[0] as usize, run.len())).collect();
         for (column, entry) in self.words.iter_mut().zip(&self.registry.entries) {
             let width = entry.width;
             scratch.clear();
-            for &(old, count) in &runs {
-                scratch.extend_from_slice(&column[old * width..(old + count) * width]);
+            for &old in order {
+                scratch.extend_from_slice(&column[old as usize * width..(old as usize + 1) * width]);
             }
             // Back into its own buffer: those of wide columns would otherwise end up holding narrow ones.
-            column.truncate(first * width);
+            column.clear();
             column.extend_from_slice(scratch);
         }
         self.len = order.len();
+    }
+
+    /// The same particles in another order.
+    pub fn rearrange(&mut self, reordering: &Reordering) {
+        let columns = self.words.par_iter_mut().zip(&self.registry.entries);
+        columns.for_each(|(column, entry)| reordering.apply(column, entry.width));
     }
 
     /// Words of one whole particle, all columns.
