@@ -73,7 +73,8 @@ def plot(name, panels, x_label, y_label="error", x_base=10):
         if x_base == 2:
             axis.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}" if value >= 1 else f"1/{1 / value:g}"))
         axis.grid(True, which="both", alpha=0.25)
-        axis.legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2)
+        long = max(map(len, series)) > 40
+        axis.legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=1 if long else 2, handlelength=3)
     figure.tight_layout()
     figure.savefig(FOLDER / f"{name}.png", dpi=80)
     plt.close(figure)
