@@ -56,7 +56,7 @@ def order(spacings, errors):
 
 def plot(name, panels, x_label, y_label="error", x_base=10):
     """One figure of several log-log panels: {title: {label: [(x, y), ...]}}. A case in 2D is dashed, in the colour of its twin."""
-    figure, axes = plt.subplots(1, len(panels), figsize=(4.6 * len(panels), 5.4), squeeze=False)
+    figure, axes = plt.subplots(1, len(panels), figsize=(4.6 * len(panels), 5.8), squeeze=False)
     for axis, (title, series) in zip(axes.flat, panels.items()):
         cases = list(dict.fromkeys(label.removesuffix(", 2D").removesuffix(", 3D") for label in series))
         for label, points in series.items():
@@ -73,7 +73,8 @@ def plot(name, panels, x_label, y_label="error", x_base=10):
         if x_base == 2:
             axis.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}" if value >= 1 else f"1/{1 / value:g}"))
         axis.grid(True, which="both", alpha=0.25)
-        axis.legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2)
+        long = max(map(len, series)) > 40
+        axis.legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.19), ncols=1 if long else 2, handlelength=3)
     figure.tight_layout()
     figure.savefig(FOLDER / f"{name}.png", dpi=80)
     plt.close(figure)
