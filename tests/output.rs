@@ -9,7 +9,7 @@ use sph_mpi::domain::comm::Comm;
 use sph_mpi::material::{BodyConstants, Core, declare_core};
 use sph_mpi::math::{Deviator, Vec3};
 use sph_mpi::output::collective::CollectiveFile;
-use sph_mpi::output::figures::cut;
+use sph_mpi::output::figures::cut::{self, Picture};
 use sph_mpi::output::figures::raster::{Dot, Plane, Window, rasterise, window};
 use sph_mpi::output::snapshot::extend_series;
 use sph_mpi::output::{CheckpointMeta, History, Snapshot, Storage, checkpoint, state_hash};
@@ -263,7 +263,8 @@ fn the_picture_does_not_depend_on_ranks() {
         let scene = scene(3, comm, None);
         let plane = Plane { origin: Vec3::new(0.0, 0.0, 230.0), across: Vec3::x(), up: Vec3::y() };
         let path = directory.join(format!("cut_{}.png", comm.size()));
-        cut::draw(&path, "Two blocks", &plane, (&scene.columns, &BODIES), comm).unwrap();
+        let picture = Picture { title: "Two blocks".into(), plane, ejected: None, distention: 1.0 };
+        cut::draw(&path, &picture, (&scene.columns, &BODIES), comm).unwrap();
     });
     if inside {
         return;

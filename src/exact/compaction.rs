@@ -37,6 +37,12 @@ impl Sponge {
         self.matter.state(state.density, state.internal_energy, self.matter.initial).distention
     }
 
+    /// The shock from rest that gives the matter the velocity `gain`, m/s, whether or not a precursor would outrun it: the
+    /// Hugoniot of first loading.
+    pub fn shock(&self, gain: f64) -> Result<Front> {
+        self.front(&self.at_rest(), gain)
+    }
+
     fn front(&self, ahead: &State, gain: f64) -> Result<Front> {
         let front =
             jump(ahead, gain, |density, energy| self.matter.state(density, energy, self.matter.initial).pressure)?;
@@ -110,7 +116,12 @@ mod tests {
     #[test]
     fn incomplete_and_complete_compaction() {
         let sponge = sponge(testing::aluminium(1.275));
-        let cases = [(100.0, 889.0, 2.495e8, 1.1446), (200.0, 1005.7, 4.834e8, 1.0334), (300.0, 1330.0, 8.951e8, 1.0), (600.0, 2518.0, 3.226e9, 1.0)];
+        let cases = [
+            (100.0, 889.0, 2.495e8, 1.1446),
+            (200.0, 1005.7, 4.834e8, 1.0334),
+            (300.0, 1330.0, 8.951e8, 1.0),
+            (600.0, 2518.0, 3.226e9, 1.0),
+        ];
         for (speed, front, pressure, alpha) in cases {
             let wave = sponge.piston(speed).unwrap();
             near(wave.front.speed, front, 4e-4);
@@ -123,8 +134,16 @@ mod tests {
     #[test]
     fn fronts_obey_the_jump_conditions() {
         let mut kinds = [0; 3];
-        let matters = [testing::aluminium(1.1), testing::aluminium(1.275), testing::aluminium(3.0), testing::simple(1.275, 2.0),
-            testing::simple(3.0, 2.0), testing::cold(3.0), testing::strained(3.0), testing::ice(3.0)];
+        let matters = [
+            testing::aluminium(1.1),
+            testing::aluminium(1.275),
+            testing::aluminium(3.0),
+            testing::simple(1.275, 2.0),
+            testing::simple(3.0, 2.0),
+            testing::cold(3.0),
+            testing::strained(3.0),
+            testing::ice(3.0),
+        ];
         for sponge in matters.map(sponge) {
             for speed in [0.02, 5.0, 100.0, 458.0, 1000.0, 5000.0, 9000.0] {
                 let wave = sponge.piston(speed).unwrap();
@@ -147,7 +166,9 @@ mod tests {
     fn compaction_is_anomalous_at_high_porosity() {
         let sponge = sponge(testing::simple(3.0, 2.0));
         let density = |pressure: f64| {
-            let speed = root(1.0, 1e4, |speed| sponge.front(&sponge.at_rest(), speed).unwrap().behind.stress - pressure).unwrap();
+            let speed =
+                root(1.0, 1e4, |speed| sponge.front(&sponge.at_rest(), speed).unwrap().behind.stress - pressure)
+                    .unwrap();
             sponge.front(&sponge.at_rest(), speed).unwrap().behind.density
         };
         near(density(7e8), 2675.49, 2e-6);

@@ -5,8 +5,10 @@
 //! centre of mass wherever they are reported.
 
 pub mod bound;
+pub mod crater;
 pub mod distributions;
 pub mod fragments;
+pub mod profiles;
 pub mod scaling;
 pub mod settled;
 pub mod tally;

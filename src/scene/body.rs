@@ -195,7 +195,12 @@ impl Reader<'_> {
         match raw {
             RawShape::Sphere(ball) => Ok(Shape::Sphere { radius: self.positive("shape.sphere.radius", ball.radius)? }),
             RawShape::HalfSphere(ball) => {
-                Ok(Shape::HalfSphere { radius: self.positive("shape.half_sphere.radius", ball.radius)? })
+                let radius = self.positive("shape.half_sphere.radius", ball.radius)?;
+                if !(0.0..radius).contains(&ball.inner.0) {
+                    let what = format!("inner is {} in a half sphere of {}", ball.inner, ball.radius);
+                    return Err(self.error("shape.half_sphere.inner", what).allowed("0 to below the radius"));
+                }
+                Ok(Shape::HalfSphere { radius, inner: ball.inner.0 })
             }
             RawShape::Cylinder(_) if self.dimension == 2 => Err(self
                 .error("shape.cylinder", "a cylinder needs three dimensions")

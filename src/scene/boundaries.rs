@@ -1,4 +1,5 @@
-//! Where space ends or closes on itself, and what is held: `[domain]`, `motion` of a body, `[[layer]]`.
+//! Where space ends or closes on itself, and what is held: `[domain]`, `motion` of a body, `[[layer]]`. Parts of bodies to be
+//! held or watched are named by where their particles start.
 
 use std::collections::BTreeMap;
 
@@ -6,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::body::Body;
 use super::raw::Components;
+use super::shape::Shape;
 use super::source::Document;
 use crate::error::{Error, Result};
 use crate::motion::Motion;
@@ -143,50 +145,132 @@ pub struct RawLayer {
     x: Option<RawInterval>,
     y: Option<RawInterval>,
     z: Option<RawInterval>,
+    /// Thickness below the body's outer faces.
+    outer: Option<Length>,
     motion: RawMotion,
 }
 
 /// A validated layer.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Layer {
+    pub part: Part,
+    pub outer: Option<Outer>,
+    pub motion: Motion,
+}
+
+/// A block of space, within one body or any.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Part {
     /// The body it is a part of; any without.
     pub body: Option<usize>,
     /// m.
     pub low: [f64; 3],
     pub high: [f64; 3],
-    pub motion: Motion,
 }
 
-impl Layer {
+/// What lies near a body's outer faces: see [`Shape::outer_distance`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Outer {
+    /// m.
+    pub thickness: f64,
+    shape: Shape,
+    centre: [f64; 3],
+    /// Axes across which a box has faces.
+    across: [bool; 3],
+    dimension: usize,
+}
+
+impl Outer {
+    /// Whether a point of the body belongs to it.
+    pub fn holds(&self, point: [f64; 3]) -> bool {
+        let inside = std::array::from_fn(|k| point[k] - self.centre[k]);
+        self.shape.outer_distance(inside, self.across, self.dimension) <= self.thickness
+    }
+}
+
+impl Part {
     /// Whether a particle that starts at `point` belongs to it.
     pub fn holds(&self, body: usize, point: [f64; 3]) -> bool {
         self.body.is_none_or(|own| own == body) && (0..3).all(|k| (self.low[k]..=self.high[k]).contains(&point[k]))
     }
 }
 
-impl RawLayer {
-    pub(super) fn validate(&self, document: &Document, number: usize, bodies: &[Body]) -> Result<Layer> {
-        let path = format!("layer.{number}");
-        let dimension = bodies[0].dimension;
-        let body = match &self.body {
-            None => None,
-            Some(name) => Some(bodies.iter().position(|body| body.name == *name).ok_or_else(|| {
-                let known: Vec<String> = bodies.iter().map(|body| body.name.clone()).collect();
-                super::keys::unknown(document, &format!("{path}.body"), "body", name, &known)
-            })?),
-        };
-        // Finite, as a scene travels as JSON.
-        let (mut low, mut high) = ([f64::MIN; 3], [f64::MAX; 3]);
-        for (axis, ends) in [(Axis::X, self.x), (Axis::Y, self.y), (Axis::Z, self.z)] {
-            let Some(ends) = ends else { continue };
-            let key = format!("{path}.{}", ["x", "y", "z"][axis as usize]);
-            let axis = axis.number(document, &key, dimension)?;
-            [low[axis], high[axis]] = interval(document, &key, ends)?;
-        }
-        let towards = body.map_or([0.0; 3], |body| bodies[body].velocity);
-        let motion = self.motion.validate(document, &format!("{path}.motion"), (dimension, towards))?;
-        Ok(Layer { body, low, high, motion })
+impl Layer {
+    /// Whether a particle that starts at `point` belongs to it.
+    pub fn holds(&self, body: usize, point: [f64; 3]) -> bool {
+        self.part.holds(body, point) && self.outer.as_ref().is_none_or(|outer| outer.holds(point))
     }
+}
+
+/// The part of `body` (all without) between these ends along x, y and z.
+pub(super) fn part(
+    document: &Document,
+    path: &str,
+    (body, ends): (Option<&String>, [Option<RawInterval>; 3]),
+    bodies: &[Body],
+) -> Result<Part> {
+    let body = match body {
+        None => None,
+        Some(name) => Some(bodies.iter().position(|body| body.name == *name).ok_or_else(|| {
+            let known: Vec<String> = bodies.iter().map(|body| body.name.clone()).collect();
+            super::keys::unknown(document, &format!("{path}.body"), "body", name, &known)
+        })?),
+    };
+    // Finite, as a scene travels as JSON.
+    let (mut low, mut high) = ([f64::MIN; 3], [f64::MAX; 3]);
+    for (axis, ends) in [Axis::X, Axis::Y, Axis::Z].into_iter().zip(ends) {
+        let Some(ends) = ends else { continue };
+        let key = format!("{path}.{}", ["x", "y", "z"][axis as usize]);
+        let axis = axis.number(document, &key, bodies[0].dimension)?;
+        [low[axis], high[axis]] = interval(document, &key, ends)?;
+    }
+    Ok(Part { body, low, high })
+}
+
+impl RawLayer {
+    pub(super) fn validate(
+        &self,
+        document: &Document,
+        number: usize,
+        (bodies, periods): (&[Body], &Periods),
+    ) -> Result<Layer> {
+        let path = format!("layer.{number}");
+        let part = part(document, &path, (self.body.as_ref(), [self.x, self.y, self.z]), bodies)?;
+        let body = part.body.map(|body| &bodies[body]);
+        let outer = self.outer.map(|thickness| outer(document, &path, (thickness, body), periods)).transpose()?;
+        let towards = body.map_or([0.0; 3], |body| body.velocity);
+        let dimension = bodies[0].dimension;
+        let motion = self.motion.validate(document, &format!("{path}.motion"), (dimension, towards))?;
+        Ok(Layer { part, outer, motion })
+    }
+}
+
+/// What lies within `thickness` of the outer faces of `body`.
+fn outer(
+    document: &Document,
+    path: &str,
+    (thickness, body): (Length, Option<&Body>),
+    periods: &Periods,
+) -> Result<Outer> {
+    let error = |what: String| document.error(&format!("{path}.outer"), what);
+    let Some(body) = body else {
+        return Err(error("outer faces are those of one body".into()).allowed("a layer with a key `body`"));
+    };
+    let closed = match body.shape {
+        Shape::Box { size } => fills(periods, size),
+        _ => [false; 3],
+    };
+    let across = closed.map(|closed| !closed);
+    let most = body.shape.largest_outer_distance(across, body.dimension);
+    if most == f64::INFINITY {
+        return Err(error(format!("body \"{}\" has no outer faces: it fills its periods", body.name)));
+    }
+    if !(thickness.0 > 0.0 && thickness.0 < most) {
+        let what = format!("an outer layer of {thickness} in body \"{}\"", body.name);
+        return Err(error(what).allowed(format!("more than 0 and less than {}, which is all of it", Length::new(most))));
+    }
+    let Body { shape, centre, dimension, .. } = *body;
+    Ok(Outer { thickness: thickness.0, shape, centre, across, dimension })
 }
 
 /// An error of a scene that has both an impact and periodic axes.

@@ -24,7 +24,8 @@ pub fn read_into(source: &mut Source) -> Result<()> {
                 let path = Path::new(&source.path).parent().unwrap_or(Path::new("")).join(file);
                 let text = std::fs::read_to_string(&path)
                     .map_err(|e| wrong(format!("cannot read {}: {e}", path.display())))?;
-                let points = points(&text).map_err(|(line, what)| Error::new(what).at(format!("{}:{line}", path.display())))?;
+                let points =
+                    points(&text).map_err(|(line, what)| Error::new(what).at(format!("{}:{line}", path.display())))?;
                 overrides.push(format!("{key}={}", Value::Table(points)));
             }
         }
@@ -60,7 +61,10 @@ mod tests {
     #[test]
     fn columns_are_read_and_bad_lines_are_named() {
         let table = points("# pumice\npressure,distention\n1e6,4.64\n\n2.13e8, 1\n").unwrap();
-        assert_eq!(Value::Table(table).to_string(), "{ pressure = [1000000.0, 213000000.0], distention = [4.64, 1.0] }");
+        assert_eq!(
+            Value::Table(table).to_string(),
+            "{ pressure = [1000000.0, 213000000.0], distention = [4.64, 1.0] }"
+        );
         assert_eq!(points("1e6,4\n2e6\n").unwrap_err(), (2, "1 numbers, not a pressure and a distention".into()));
         assert_eq!(points("1e6,4\na,b\n").unwrap_err().0, 2);
     }

@@ -1,12 +1,13 @@
 //! Scenes: a TOML file is read into raw tables, completed from the material library and the defaults, and validated into a
 //! [`Scene`]. Reading is pure and needs one process; a scene can be sent as bytes (serde) with every number's bits.
 
+pub mod ask;
 pub mod body;
 pub mod boundaries;
 pub mod compare;
 mod curves;
 pub mod impact;
-mod keys;
+pub mod keys;
 pub mod lattice;
 mod materials;
 pub mod numerics;
@@ -26,6 +27,7 @@ use toml::{Table, Value};
 use crate::error::{Error, Result};
 use crate::material::{MaterialTable, Records};
 use crate::particles::Periods;
+pub use ask::{Asked, Face, Probe};
 pub use body::Body;
 pub use boundaries::Layer;
 pub use compare::Compare;
@@ -55,6 +57,8 @@ pub struct Scene {
     pub record: Records,
     pub threshold: Option<Threshold>,
     pub compare: Option<Compare>,
+    pub outcome: Option<Asked>,
+    pub probes: Vec<Probe>,
     understood: String,
     source: Source,
 }
@@ -104,7 +108,7 @@ impl Scene {
     fn from_source(source: Source) -> Result<Self> {
         let mut document = Document::parse(&source)?;
         materials::complete(&mut document)?;
-        let mut raw = keys::deserialize(&document)?;
+        let mut raw: RawScene = keys::deserialize(&document)?;
         let mut scene = validate(&document, &mut raw)?;
         scene.understood =
             print(&raw).map_err(|e| Error::new(format!("the scene cannot be printed: {e}")).at(&source.path))?;
@@ -141,7 +145,7 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
         material.validate(&format!("material.{name}")).map_err(|e| relocated(document, e))?;
     }
     raw.record.validate(&materials).map_err(|e| relocated(document, e))?;
-    let numerics = raw.numerics.validate(document)?;
+    let numerics = raw.numerics.validate(document, dimension)?;
     let impact = raw.impact.as_mut().map(|i| Impact::read(document, i, &raw.body)).transpose()?;
     let periods = raw.domain.validate(document, dimension)?;
     if impact.is_some() && periods.any() {
@@ -150,15 +154,19 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
     let bodies = bodies(document, raw, (&materials, &material_names), &periods, impact.as_ref(), numerics.eta)?;
     check_overlaps(document, &bodies)?;
     boundaries::check_periods(document, &periods, &bodies, largest_reach(&bodies, &numerics))?;
-    let layers = raw.layer.iter().enumerate().map(|(number, layer)| layer.validate(document, number, &bodies));
+    let layers =
+        raw.layer.iter().enumerate().map(|(number, layer)| layer.validate(document, number, (&bodies, &periods)));
     let layers = layers.collect::<Result<Vec<_>>>()?;
     let run = raw.run.validate(document, impact.is_some())?;
     let output = raw.output.validate(document, run.until)?;
+    let outcome = raw.outcome.map(|asked| asked.validate(document, impact.as_ref(), &bodies)).transpose()?;
+    let probes = raw.probe.iter().enumerate().map(|(number, probe)| probe.validate(document, number, &bodies));
+    let probes = probes.collect::<Result<Vec<_>>>()?;
     let threshold = match &raw.threshold {
         None => None,
         Some(threshold) => Some(threshold.validate(document, &varied(document, impact.as_ref(), &bodies)?)?),
     };
-    Ok(Scene {
+    let scene = Scene {
         title: raw.title.clone(),
         dimension,
         bodies,
@@ -173,9 +181,18 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
         record: raw.record,
         threshold,
         compare: raw.compare.as_ref().map(|compare| compare.validate(document)).transpose()?,
+        outcome,
+        probes,
         understood: String::new(),
         source: Source { path: String::new(), text: String::new(), overrides: Vec::new() },
-    })
+    };
+    if scene.threshold.is_some() && scene.hits_ground() {
+        let what = "ground has no remnant that could keep half of it";
+        return Err(document
+            .error("threshold", what)
+            .allowed("a target that is a whole body: no half_sphere, no layer with `outer`"));
+    }
+    Ok(scene)
 }
 
 fn relocated(document: &Document, error: Error) -> Error {
@@ -189,8 +206,10 @@ fn check_names(document: &Document, raw: &RawScene) -> Result<()> {
         return Err(document.error("body", what).allowed(format!("1 to {MOST_BODIES} tables [[body]]")));
     }
     // A body is addressed by its name, which therefore must not be another table's.
-    const TABLES: [&str; 14] = [
+    const TABLES: [&str; 16] = [
         "compare",
+        "outcome",
+        "probe",
         "layer",
         "domain",
         "title",

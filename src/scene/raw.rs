@@ -8,6 +8,7 @@ use std::marker::PhantomData;
 use serde::de::{IntoDeserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use super::ask::{RawAsked, RawProbe};
 use super::boundaries::{RawDomain, RawLayer, RawMotion};
 use super::compare::RawCompare;
 use super::lattice::LatticeKind;
@@ -43,6 +44,9 @@ pub struct RawScene {
     pub record: Records,
     pub threshold: Option<RawThreshold>,
     pub compare: Option<RawCompare>,
+    pub outcome: Option<RawAsked>,
+    #[serde(default)]
+    pub probe: Vec<RawProbe>,
 }
 
 fn three() -> u8 {
@@ -81,13 +85,22 @@ pub enum RawShape {
     Box(RawBox),
     Cylinder(RawCylinder),
     #[serde(alias = "half_disc")]
-    HalfSphere(RawBall),
+    HalfSphere(RawHalfBall),
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RawBall {
     pub radius: Length,
+}
+
+/// Hollow within `inner`.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawHalfBall {
+    pub radius: Length,
+    #[serde(default)]
+    pub inner: Length,
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]

@@ -15,8 +15,9 @@ pub enum Shape {
     Box { size: [f64; 3] },
     /// Axis along z, centre at half height; 3D only.
     Cylinder { radius: f64, height: f64 },
-    /// Flat face up, its middle the centre; material below (z < 0, in 2D y < 0).
-    HalfSphere { radius: f64 },
+    /// Flat face up, its middle the centre; material below (z < 0, in 2D y < 0), beyond `inner` from the centre: shells of
+    /// different spacing may lie around each other.
+    HalfSphere { radius: f64, inner: f64 },
 }
 
 impl Shape {
@@ -25,7 +26,7 @@ impl Shape {
         let ball = |r: f64| if dimension == 2 { PI * r * r } else { 4.0 / 3.0 * PI * r * r * r };
         match *self {
             Shape::Sphere { radius } => ball(radius),
-            Shape::HalfSphere { radius } => 0.5 * ball(radius),
+            Shape::HalfSphere { radius, inner } => 0.5 * (ball(radius) - ball(inner)),
             Shape::Box { size } => size[..dimension].iter().product(),
             Shape::Cylinder { radius, height } => PI * radius * radius * height,
         }
@@ -36,7 +37,11 @@ impl Shape {
         let [x, y, z] = point;
         match *self {
             Shape::Sphere { radius } => x * x + y * y + z * z <= radius * radius,
-            Shape::HalfSphere { radius } => point[dimension - 1] <= 0.0 && x * x + y * y + z * z <= radius * radius,
+            Shape::HalfSphere { radius, inner } => {
+                let square = x * x + y * y + z * z;
+                // What lies on the inner surface belongs to what is inside it.
+                point[dimension - 1] <= 0.0 && square <= radius * radius && (inner == 0.0 || square > inner * inner)
+            }
             Shape::Box { size } => (0..dimension).all(|a| 2.0 * point[a].abs() <= size[a]),
             Shape::Cylinder { radius, height } => x * x + y * y <= radius * radius && 2.0 * z.abs() <= height,
         }
@@ -47,7 +52,7 @@ impl Shape {
         let (mut middle, mut half) = ([0.0; 3], [0.0; 3]);
         match *self {
             Shape::Sphere { radius } => half[..dimension].fill(radius),
-            Shape::HalfSphere { radius } => {
+            Shape::HalfSphere { radius, .. } => {
                 half[..dimension].fill(radius);
                 half[dimension - 1] = 0.5 * radius;
                 middle[dimension - 1] = -0.5 * radius;
@@ -61,10 +66,41 @@ impl Shape {
     /// Largest distance of a point of the shape from its centre, m.
     pub fn outer_radius(&self) -> f64 {
         match *self {
-            Shape::Sphere { radius } | Shape::HalfSphere { radius } => radius,
+            Shape::Sphere { radius } | Shape::HalfSphere { radius, .. } => radius,
             Shape::Box { size } => 0.5 * (size[0] * size[0] + size[1] * size[1] + size[2] * size[2]).sqrt(),
             Shape::Cylinder { radius, height } => (radius * radius + 0.25 * height * height).sqrt(),
         }
+    }
+
+    /// Whether the shape ends in a plane above, as ground does: an impact then comes down on it.
+    pub fn has_upper_face(&self) -> bool {
+        !matches!(self, Shape::Sphere { .. })
+    }
+
+    /// Distance of a point inside from the outer faces, m: all of a sphere's, and all of the others' but the upper one. These
+    /// are where a body that stands for a part of something larger is cut off. A box has faces across the axes of `across`
+    /// only; infinite where there are none.
+    pub fn outer_distance(&self, point: [f64; 3], across: [bool; 3], dimension: usize) -> f64 {
+        let [x, y, z] = point;
+        match *self {
+            Shape::Sphere { radius } | Shape::HalfSphere { radius, .. } => radius - (x * x + y * y + z * z).sqrt(),
+            Shape::Cylinder { radius, height } => (radius - (x * x + y * y).sqrt()).min(0.5 * height + z),
+            Shape::Box { size } => (0..dimension).filter(|&axis| across[axis]).fold(f64::INFINITY, |least, axis| {
+                let height = if axis == dimension - 1 { point[axis] } else { -point[axis].abs() };
+                least.min(0.5 * size[axis] + height)
+            }),
+        }
+    }
+
+    /// The largest distance from the outer faces that there is within the shape, m.
+    pub fn largest_outer_distance(&self, across: [bool; 3], dimension: usize) -> f64 {
+        let innermost = match *self {
+            Shape::Sphere { .. } => [0.0; 3],
+            Shape::HalfSphere { inner, .. } => std::array::from_fn(|k| if k == 0 { inner } else { 0.0 }),
+            Shape::Cylinder { height, .. } => [0.0, 0.0, 0.5 * height],
+            Shape::Box { size } => std::array::from_fn(|k| if k == dimension - 1 { 0.5 * size[k] } else { 0.0 }),
+        };
+        self.outer_distance(innermost, across, dimension)
     }
 
     /// Whether two shapes at `a` and `b` share some volume. Exact for two spheres and two boxes; otherwise a grid of points
@@ -108,11 +144,12 @@ fn grid(low: [f64; 3], high: [f64; 3], dimension: usize) -> impl Iterator<Item =
 mod tests {
     use super::*;
 
-    const SHAPES: [Shape; 4] = [
+    const SHAPES: [Shape; 5] = [
         Shape::Sphere { radius: 1.3 },
         Shape::Box { size: [1.0, 2.0, 3.0] },
         Shape::Cylinder { radius: 0.8, height: 2.5 },
-        Shape::HalfSphere { radius: 1.7 },
+        Shape::HalfSphere { radius: 1.7, inner: 0.0 },
+        Shape::HalfSphere { radius: 1.7, inner: 0.9 },
     ];
 
     /// The exact volume against the share of grid points of the bounding box, whose error is below surface x cell.
@@ -127,14 +164,31 @@ mod tests {
             assert!((inside - share).abs() < 6.0 / 48.0 / 4.0, "{shape:?}: {inside} {share}");
         }
         assert_eq!(Shape::Box { size: [2.0, 3.0, 0.0] }.volume(2), 6.0);
-        assert_eq!(Shape::HalfSphere { radius: 2.0 }.volume(2), 2.0 * PI);
+        assert_eq!(Shape::HalfSphere { radius: 2.0, inner: 0.0 }.volume(2), 2.0 * PI);
     }
 
     #[test]
     fn half_spheres_lie_below_their_centre() {
-        let half = Shape::HalfSphere { radius: 1.0 };
+        let half = Shape::HalfSphere { radius: 1.0, inner: 0.0 };
         assert!(half.contains([0.0, 0.5, -0.5], 3) && !half.contains([0.0, 0.0, 0.1], 3));
         assert!(half.contains([0.5, -0.5, 0.0], 2) && !half.contains([0.0, 0.1, 0.0], 2));
+    }
+
+    #[test]
+    fn outer_faces_are_all_but_the_upper_one() {
+        let open = [true; 3];
+        let near = |shape: Shape, point: [f64; 3]| shape.outer_distance(point, open, 3);
+        assert_eq!(near(Shape::HalfSphere { radius: 2.0, inner: 0.0 }, [0.0, 0.0, -0.5]), 1.5);
+        assert_eq!(near(Shape::Cylinder { radius: 2.0, height: 6.0 }, [0.0, 1.5, 2.9]), 0.5);
+        assert_eq!(near(Shape::Cylinder { radius: 2.0, height: 6.0 }, [0.0, 0.5, -2.0]), 1.0);
+        let brick = Shape::Box { size: [4.0, 6.0, 8.0] };
+        assert_eq!([near(brick, [-1.5, 0.0, 3.9]), near(brick, [0.0, 0.0, -3.0])], [0.5, 1.0]);
+        assert_eq!(brick.outer_distance([-1.5, 0.0, 3.9], [false, true, true], 3), 3.0);
+        assert_eq!(brick.outer_distance([0.0; 3], [false; 3], 3), f64::INFINITY);
+        assert_eq!(brick.largest_outer_distance(open, 3), 2.0);
+        assert_eq!(Shape::Cylinder { radius: 2.0, height: 1.0 }.largest_outer_distance(open, 3), 1.0);
+        // In 2D y points up.
+        assert_eq!(Shape::Box { size: [4.0, 6.0, 0.0] }.outer_distance([0.0, 2.5, 0.0], open, 2), 2.0);
     }
 
     #[test]
@@ -147,8 +201,10 @@ mod tests {
         assert!(!sphere.overlaps([0.0; 3], &brick, [1.9, 1.9, 1.9], 3));
         assert!(sphere.overlaps([0.0; 3], &sphere, [1.9, 0.0, 0.0], 3));
         assert!(!sphere.overlaps([0.0; 3], &sphere, [2.0, 0.0, 0.0], 3));
-        let bowl = Shape::HalfSphere { radius: 5.0 };
+        let bowl = Shape::HalfSphere { radius: 5.0, inner: 0.0 };
         assert!(!bowl.overlaps([0.0; 3], &sphere, [0.0, 0.0, 1.0], 3));
         assert!(bowl.overlaps([0.0; 3], &sphere, [0.0, 0.0, 0.5], 3));
+        let shell = Shape::HalfSphere { radius: 8.0, inner: 5.0 };
+        assert!(!shell.overlaps([0.0; 3], &bowl, [0.0; 3], 3) && shell.overlaps([0.0; 3], &bowl, [0.2, 0.0, 0.0], 3));
     }
 }

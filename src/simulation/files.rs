@@ -2,13 +2,14 @@
 
 use std::time::Instant;
 
+use super::probes;
 use super::report;
 use super::resources;
 use super::run::Run;
 use super::state::Spent;
 use crate::error::{Error, Result};
 use crate::outcome::{self, Evaluation, Question};
-use crate::output::{CheckpointMeta, Snapshot, Storage, checkpoint, snapshot};
+use crate::output::{Cell, CheckpointMeta, Snapshot, Storage, checkpoint, snapshot};
 use crate::scene::{Precision, Scene};
 use crate::step::phases::Phase;
 
@@ -16,7 +17,8 @@ impl<const D: usize> Run<'_, D> {
     pub(super) fn write_history(&mut self) {
         let (limit, reason) = self.stepper.tightest_limit();
         let held = self.stepper.settings.motions.is_some();
-        let cells = report::history_row(&self.state, &self.totals, (&limit, reason), (held, D == 2));
+        let mut cells = report::history_row(&self.state, &self.totals, (&limit, reason), (held, D == 2));
+        cells.extend(probes::row(self.scene, &self.stepper, self.comm).into_iter().map(Cell::Real));
         self.limit = (limit, reason);
         tracing::debug!("{}", self.describe());
         // Rank 0 writes; where it fails, all ranks hear of it with the next step.
@@ -28,6 +30,7 @@ impl<const D: usize> Run<'_, D> {
     pub(super) fn evaluate_outcome(&mut self) -> Evaluation {
         let start = Instant::now();
         self.stepper.rest();
+        resources::give_memory_back();
         let core = self.stepper.settings.core;
         let particles = outcome::particles(&self.stepper.columns, &core, &self.stepper.settings.constants);
         let target = self.scene.impact.as_ref().map_or(0, |impact| impact.target);
@@ -37,20 +40,30 @@ impl<const D: usize> Run<'_, D> {
         evaluation
     }
 
-    /// Distributions of fragments, where the outcome counts.
-    pub(super) fn write_outcome(&mut self) -> Result<()> {
-        let Some(evaluation) = &self.evaluation else { return Ok(()) };
-        report::write_distributions(evaluation, D, &self.options.directory, self.comm)?;
-        if self.scene.output.picture {
-            let source = report::PictureSource {
-                scene: self.scene,
-                stepper: &self.stepper,
-                time: self.state.time,
-                directory: &self.options.directory,
-            };
-            report::draw_cut(&source, self.comm)?;
+    /// The outcome that counts, with its files. Collective.
+    pub(super) fn take_outcome(&mut self) -> Result<()> {
+        self.state.outcome_time = self.state.time;
+        if !self.scene.hits_ground() {
+            let evaluation = self.evaluate_outcome();
+            report::write_distributions(&evaluation, D, &self.options.directory, self.comm)?;
+            self.state.outcome = Some(evaluation.outcome);
         }
-        Ok(())
+        self.state.crater = self.crater()?;
+        self.draw_cut()
+    }
+
+    /// The picture, where the scene wants one. Collective.
+    pub(super) fn draw_cut(&self) -> Result<()> {
+        if !self.scene.output.picture {
+            return Ok(());
+        }
+        let source = report::PictureSource {
+            scene: self.scene,
+            stepper: &self.stepper,
+            time: self.state.time,
+            directory: &self.options.directory,
+        };
+        report::draw_cut(&source, self.comm)
     }
 
     pub(super) fn write_snapshot_if_due(&mut self) -> Result<()> {

@@ -31,8 +31,11 @@ impl Shape {
             (Mode::Torsional, BodyShape::Sphere { radius }, 3) => vibration::sphere_torsional(&solid, radius, 1)?,
             (Mode::Torsional, BodyShape::Sphere { radius }, _) => vibration::disc_torsional(&solid, radius, 1)?,
             (Mode::Bending, BodyShape::Box { size }, 2) => {
-                let fixed = scene.layers.iter().filter(|layer| layer.motion == Motion::Prescribed([0.0; 3]));
-                let held = fixed.map(|layer| layer.high[0] - body.centre[0]);
+                let fixed = scene
+                    .layers
+                    .iter()
+                    .filter(|layer| layer.motion == Motion::Prescribed([0.0; 3]) && layer.outer.is_none());
+                let held = fixed.map(|layer| layer.part.high[0] - body.centre[0]);
                 clamp = held.fold(-0.5 * size[0], f64::max);
                 vibration::clamped_plate(&solid, 0.5 * size[0] - clamp, size[1], 1)?
             }

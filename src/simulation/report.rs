@@ -2,18 +2,19 @@
 
 use std::path::Path;
 
-use super::resources;
 use super::state::{RunState, Spent};
+use super::{ground, resources};
 use crate::domain::comm::Comm;
 use crate::error::Result;
 use crate::material::MaterialEffect;
 use crate::math::Vec3;
+use crate::outcome::crater::Crater;
 use crate::outcome::distributions::distributions;
 use crate::outcome::{Evaluation, Outcome};
-use crate::output::figures::cut;
+use crate::output::figures::cut::{self, Picture};
 use crate::output::figures::raster::Plane;
 use crate::output::publish::replace_text;
-use crate::output::summary::Figures;
+use crate::output::summary::{Accuracy, Figures};
 use crate::output::{Cell, Summary, agree, state_hash};
 use crate::scene::Scene;
 use crate::step::phases::{NAMES, Phase};
@@ -106,12 +107,20 @@ pub struct PictureSource<'a, 'c, const D: usize> {
 
 /// outcome.png: a cut through the plane of impact. Collective.
 pub fn draw_cut<const D: usize>(source: &PictureSource<D>, comm: &Comm) -> Result<()> {
-    let target = source.scene.impact.as_ref().map_or(0, |impact| impact.target);
-    let origin = Vec3::from(source.scene.bodies[target].centre);
-    let plane = Plane { origin, across: Vec3::x(), up: Vec3::y() };
-    let title = format!("{} (t = {:.4} s)", source.scene.title, source.time);
+    let scene = source.scene;
+    let target = scene.impact.as_ref().map_or(0, |impact| impact.target);
+    let (face, origin) = (scene.face(), Vec3::from(scene.bodies[target].centre));
+    // The projectile comes down in the plane of x and the face's normal; onto a sphere it flies in that of x and y.
+    let up = face.map_or(1, |face| face.up);
+    let plane = Plane { origin, across: Vec3::x(), up: Vec3::ith(up, 1.0) };
+    let picture = Picture {
+        title: format!("{} (t = {:.4} s)", scene.title, source.time),
+        plane,
+        ejected: scene.outcome.map(|asked| (up, asked.ejection_speed)),
+        distention: scene.bodies.iter().fold(1.0, |most: f64, body| most.max(body.distention)),
+    };
     let particles = (&source.stepper.columns, &source.stepper.settings.constants[..]);
-    cut::draw(&source.directory.join("outcome.png"), &title, &plane, particles, comm)
+    cut::draw(&source.directory.join("outcome.png"), &picture, particles, comm)
 }
 
 /// Whether angular momentum is conserved: not where walls hold something or space closes on itself.
@@ -130,6 +139,7 @@ pub struct Report<'a, 'c, const D: usize> {
     /// Against the exact solution that the scene names.
     pub errors: Figures,
     pub resident_at_start: f64,
+    pub accuracy: Option<&'a Accuracy>,
     pub comm: &'a Comm,
 }
 
@@ -183,8 +193,9 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         rebisections: state.counters.rebisections,
         migrated_particles: spent.migrated,
         errors: report.errors.clone(),
-        outcome: state.outcome.as_ref().map(|outcome| outcome_figures(report, outcome)),
+        outcome: state.has_outcome().then(|| outcome_figures(report)),
         threshold: None,
+        accuracy: report.accuracy.cloned(),
     }
 }
 
@@ -213,10 +224,31 @@ fn shares(names: impl IntoIterator<Item = &'static str>, seconds: &[f64], total:
     Figures(names.into_iter().zip(&micro).map(|(name, t)| (name.to_string(), *t as f64 / total)).collect())
 }
 
-fn outcome_figures<const D: usize>(report: &Report<D>, outcome: &Outcome) -> Figures {
+fn outcome_figures<const D: usize>(report: &Report<D>) -> Figures {
+    let mut figures = vec![("time".to_string(), report.state.outcome_time)];
+    if let Some(outcome) = &report.state.outcome {
+        figures.extend(remnant_figures(outcome, report.later));
+    }
+    if let Some(crater) = &report.state.crater {
+        figures.extend(ground::figures(crater));
+    }
+    let diagnostics = report.stepper.settings.effects.iter().flat_map(|effect| effect.diagnostics());
+    for (diagnostic, total) in diagnostics.zip(&report.totals.effects) {
+        match diagnostic.name.strip_suffix("_mass") {
+            Some(what) => figures.push((format!("{what}_fraction"), total / report.totals.mass)),
+            // A crater may have told it.
+            None if figures.iter().all(|(name, _)| name != diagnostic.name) => {
+                figures.push((diagnostic.name.to_string(), *total))
+            }
+            None => {}
+        }
+    }
+    Figures(figures)
+}
+
+fn remnant_figures(outcome: &Outcome, later: Option<&Outcome>) -> Vec<(String, f64)> {
     let named = |name: &str, value: f64| (name.to_string(), value);
     let mut figures = vec![
-        named("time", report.state.outcome_time),
         named("largest_remnant_fraction", outcome.largest_remnant_fraction),
         named("largest_remnant_of_total", outcome.largest_remnant_of_total),
         named("largest_remnant_fraction_strict", outcome.strict.largest_remnant_fraction),
@@ -228,16 +260,11 @@ fn outcome_figures<const D: usize>(report: &Report<D>, outcome: &Outcome) -> Fig
         named("target_mass", outcome.target_mass),
         named("total_mass", outcome.total_mass),
     ];
-    if let Some(later) = report.later {
+    if let Some(later) = later {
         figures.push(named("largest_remnant_fraction_later", later.largest_remnant_fraction));
         figures.push(named("largest_remnant_of_total_later", later.largest_remnant_of_total));
     }
-    let diagnostics = report.stepper.settings.effects.iter().flat_map(|effect| effect.diagnostics());
-    for (diagnostic, total) in diagnostics.zip(&report.totals.effects) {
-        let share = diagnostic.name.strip_suffix("_mass").map(|what| format!("{what}_fraction"));
-        figures.push((share.unwrap_or_else(|| diagnostic.name.to_string()), total / report.totals.mass));
-    }
-    Figures(figures)
+    figures
 }
 
 /// When the bodies of an impact would touch if they flew on as they start, s; zero where they touch already.
@@ -246,6 +273,11 @@ pub fn first_contact(scene: &Scene) -> f64 {
     let (target, projectile) = (&scene.bodies[impact.target], &scene.bodies[impact.projectile]);
     let x = Vec3::from(projectile.centre) - Vec3::from(target.centre);
     let v = Vec3::from(projectile.velocity) - Vec3::from(target.velocity);
+    if let Some(face) = scene.face() {
+        let reach = projectile.shape.bounds(projectile.dimension);
+        let height = projectile.centre[face.up] + reach.middle[face.up] - reach.half[face.up] - face.middle[face.up];
+        return (height / -v[face.up]).max(0.0);
+    }
     let reach = target.shape.outer_radius() + projectile.shape.outer_radius();
     // |x + v t| = reach, the earlier root.
     let (a, b, c) = (v.norm_squared(), x.dot(&v), x.norm_squared() - reach * reach);
@@ -259,17 +291,17 @@ pub fn crossing(scene: &Scene) -> f64 {
     2.0 * largest / sound_speed(scene, scene.impact.as_ref().map_or(0, |impact| impact.target))
 }
 
-/// Longitudinal speed of sound of a body at the start, m/s.
+/// Longitudinal speed of sound of a body at the start, m/s; rigid pores do not change that of the matrix.
 pub fn sound_speed(scene: &Scene, body: usize) -> f64 {
     let body = &scene.bodies[body];
-    let material = &scene.materials[body.material];
-    let (_, bulk) = material.eos.law().pressure(body.density, body.internal_energy);
+    let (material, density) = (&scene.materials[body.material], body.density * body.distention);
+    let (_, bulk) = material.eos.law().pressure(density, body.internal_energy);
     let shear = material.strength.as_ref().map_or(0.0, |strength| strength.shear_modulus.0);
-    (bulk * bulk + 4.0 / 3.0 * shear / body.density).sqrt()
+    (bulk * bulk + 4.0 / 3.0 * shear / density).sqrt()
 }
 
 /// The end of a run on the terminal, rank 0.
-pub fn print(summary: &Summary, directory: &Path) {
+pub fn print(summary: &Summary, crater: Option<&Crater>, directory: &Path) {
     let phase = |phase: Phase| 100.0 * summary.phases.0[phase as usize].1;
     tracing::info!(
         "{} steps to t = {:.4e} s; drift of energy {:.1e}, momentum {:.1e}, angular momentum {:.1e}",
@@ -297,7 +329,10 @@ pub fn print(summary: &Summary, directory: &Path) {
         phase(Phase::Wait) + phase(Phase::Reduce),
         phase(Phase::Output)
     );
-    if let Some(outcome) = &summary.outcome {
+    if let Some(crater) = crater {
+        ground::print(crater);
+    }
+    if let Some(outcome) = summary.outcome.as_ref().filter(|outcome| outcome.0.iter().any(|(n, _)| n == "fragments")) {
         let of = |name: &str| outcome.0.iter().find(|(n, _)| n == name).map_or(f64::NAN, |(_, v)| *v);
         tracing::info!(
             "largest remnant {:.3} of the target (intact fragment {:.3}), {} fragments",

@@ -1,6 +1,6 @@
 //! The loop over steps: when to write, signals, and the question whether the outcome has settled.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use super::collapse::Collapse;
@@ -9,17 +9,19 @@ use super::faults::{Asks, Fault};
 use super::files::scene_hash;
 use super::footprint::Footprint;
 use super::log::Progress;
+use super::probes;
 use super::report::{self, Report};
+use super::resources;
 use super::setup;
 use super::signals;
 use super::state::{Conservation, RunState, Spent};
-use super::{directory, resources};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
+use crate::material::porosity::DISTENTION;
+use crate::outcome::Outcome;
 use crate::outcome::settled::Settled;
-use crate::outcome::{Evaluation, Outcome};
 use crate::output::publish::replace_text;
-use crate::output::summary::Figures;
+use crate::output::summary::{Accuracy, Figures};
 use crate::output::{History, Summary, agree, checkpoint};
 use crate::particles::ParticleId;
 use crate::scene::{Scene, Until};
@@ -34,6 +36,8 @@ pub struct Options {
     pub resume: bool,
     /// Resident bytes of the process before anything was made.
     pub resident_at_start: f64,
+    /// The choice by which the scene got its settings, for the summary; and how the log says it.
+    pub accuracy: Option<Accuracy>,
 }
 
 /// Why a run came back.
@@ -85,7 +89,6 @@ pub(super) struct Run<'a, const D: usize> {
     pub(super) saved: Instant,
     pub(super) fault: Fault,
     pub(super) comparison: Option<Comparison>,
-    pub(super) evaluation: Option<Evaluation>,
     pub(super) later: Option<Outcome>,
     /// What failed on this rank alone.
     pub(super) failed: Option<Error>,
@@ -104,6 +107,9 @@ impl<'a, const D: usize> Run<'a, D> {
         let wait_cpu_at_start = comm.wait_cpu_seconds();
         let log = || super::log::to_file(&options.directory.join("log.txt"), options.resume);
         agree(comm, if comm.is_root() { log() } else { Ok(()) })?;
+        if let Some(choice) = &options.accuracy {
+            tracing::info!("{choice}");
+        }
         let comparison = Comparison::new(scene)?;
         let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
         Footprint::new(scene, &plan, comm.size()).require(comm).map_err(|e| e.at(scene.path()))?;
@@ -141,7 +147,8 @@ impl<'a, const D: usize> Run<'a, D> {
         };
         stepper.counters = state.counters;
         let totals = stepper.totals();
-        let columns = report::history_columns(&stepper.settings.effects, stepper.settings.motions.is_some(), scene);
+        let mut columns = report::history_columns(&stepper.settings.effects, stepper.settings.motions.is_some(), scene);
+        columns.extend(probes::columns(scene, stepper.columns.registry.find::<f64>(DISTENTION).is_some()));
         let labels: Vec<(&str, &str)> = columns.iter().map(|(name, unit)| (name.as_str(), unit.as_str())).collect();
         let resumed = (state.counters.steps > 0).then_some(state.counters.steps);
         let history = History::open(&options.directory.join("history.csv"), &labels, resumed, comm)?;
@@ -164,7 +171,6 @@ impl<'a, const D: usize> Run<'a, D> {
             saved,
             fault,
             comparison,
-            evaluation: None,
             later: None,
             failed: None,
             last: None,
@@ -188,6 +194,7 @@ impl<'a, const D: usize> Run<'a, D> {
             settled,
             vibration: Vec::new(),
             outcome: None,
+            crater: None,
             outcome_time: 0.0,
             spent: Spent::default(),
         })
@@ -248,7 +255,7 @@ impl<'a, const D: usize> Run<'a, D> {
         let end = match self.scene.run.until {
             Until::Time(end) => end.min(limit),
             // Settled: the outcome is evaluated once more at twice that time.
-            Until::Settled if self.state.outcome.is_some() => (2.0 * self.state.outcome_time).min(limit),
+            Until::Settled if self.state.has_outcome() => (2.0 * self.state.outcome_time).min(limit),
             Until::Settled => limit,
         };
         end.is_finite().then_some(end)
@@ -316,13 +323,9 @@ impl<'a, const D: usize> Run<'a, D> {
         self.write_history();
         let time = self.state.time;
         let settled = self.state.settled.as_mut().is_some_and(|settled| settled.update(time, self.totals.internal));
-        if settled && self.state.outcome.is_none() {
+        if settled && !self.state.has_outcome() {
             tracing::info!("settled at t = {time:.4e} s, step {}", self.state.counters.steps);
-            let evaluation = self.evaluate_outcome();
-            self.state.outcome = Some(evaluation.outcome.clone());
-            self.state.outcome_time = time;
-            self.evaluation = Some(evaluation);
-            self.write_outcome()?;
+            self.take_outcome()?;
         }
         Ok(())
     }
@@ -369,25 +372,11 @@ impl<'a, const D: usize> Run<'a, D> {
         if self.state.counters.steps % self.scene.output.history_every != 0 {
             self.note_totals()?;
         }
-        let later = self.scene.impact.is_some().then(|| self.evaluate_outcome());
-        match (later, self.state.outcome.is_some()) {
-            (Some(later), true) => self.later = Some(later.outcome),
-            (Some(only), false) => {
-                self.state.outcome = Some(only.outcome.clone());
-                self.state.outcome_time = self.state.time;
-                self.evaluation = Some(only);
-                self.write_outcome()?;
-            }
-            (None, _) if self.scene.output.picture => {
-                let source = report::PictureSource {
-                    scene: self.scene,
-                    stepper: &self.stepper,
-                    time: self.state.time,
-                    directory: &self.options.directory,
-                };
-                report::draw_cut(&source, self.comm)?;
-            }
-            _ => {}
+        match (self.scene.impact.is_some(), self.state.has_outcome()) {
+            (true, false) => self.take_outcome()?,
+            (true, true) if !self.scene.hits_ground() => self.later = Some(self.evaluate_outcome().outcome),
+            (true, true) => {}
+            (false, _) => self.draw_cut()?,
         }
         if self.scene.output.snapshot_interval.is_some() {
             self.write_snapshot()?;
@@ -408,17 +397,13 @@ impl<'a, const D: usize> Run<'a, D> {
             spent,
             errors,
             resident_at_start: self.options.resident_at_start,
+            accuracy: self.options.accuracy.as_ref(),
             comm: self.comm,
         });
         if ended == Ended::Finished {
             summary.write(&self.options.directory.join("summary.json"), self.comm)?;
-            report::print(&summary, &self.options.directory);
+            report::print(&summary, self.state.crater.as_ref(), &self.options.directory);
         }
         Ok(RunReport { ended, summary, outcome: self.state.outcome, later: self.later })
     }
-}
-
-/// Where a scene's file lies decides the default directory.
-pub fn default_directory(scene: &Scene) -> PathBuf {
-    directory::default_directory(Path::new(scene.path()))
 }

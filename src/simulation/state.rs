@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::outcome::Outcome;
+use crate::outcome::crater::Crater;
 use crate::outcome::settled::Settled;
 use crate::step::{Counters, Totals};
 
@@ -68,12 +69,21 @@ pub struct RunState {
     /// (time, s; amplitude, m/s) of a vibration that is compared with its exact period.
     #[serde(default)]
     pub vibration: Vec<[f64; 2]>,
-    /// Outcome where the run settled, or at its end: this one counts.
+    /// Outcome where the run settled, or at its end: this one counts. None of ground.
     pub outcome: Option<Outcome>,
+    /// What is left of a flat face, at the same time.
+    #[serde(default)]
+    pub crater: Option<Crater>,
     /// When that was, s.
     pub outcome_time: f64,
     /// Wall time, processor time and MPI waits of all ranks before the last restart, s.
     pub spent: Spent,
+}
+
+impl RunState {
+    pub fn has_outcome(&self) -> bool {
+        self.outcome.is_some() || self.crater.is_some()
+    }
 }
 
 /// What a run has cost, over all ranks but for wall time.

@@ -15,6 +15,14 @@
 //! ```text
 //! f = { alpha + alpha' P [1 + P_u / (alpha rho)] } / { alpha + alpha' [P - rho P_rho] }      alpha' = d alpha / dP
 //! ```
+//! Sound runs with the speed of unloading and of the elastic branch. Compression that crushes pores runs slower by far,
+//!
+//! ```text
+//! c_load^2 = dP/drho = f P_rho + P_u P / (alpha rho^2) + (1 - f) P / rho
+//! ```
+//! with f bounded from below by 0, and this is what viscosity must go by: with c_s it would spread a compaction wave over many
+//! times its width.
+//!
 //! P_u, P_rho derivatives of the matrix pressure P_s. f may be negative: then the matrix expands while the body is compressed
 //! (alpha_0 above (c + 2) / c). No density is bounded from below here.
 
@@ -53,6 +61,8 @@ pub struct State {
     pub pressure: f64,
     /// Bulk speed of sound, m/s.
     pub sound_speed: f64,
+    /// c_load, m/s.
+    pub loading_speed: f64,
     /// f, not bounded; 1 where no pore gives way.
     pub stress_factor: f64,
 }
@@ -160,13 +170,16 @@ impl Porous {
     fn with(&self, rho: f64, u: f64, (alpha, unloaded): (f64, f64), factor: impl Fn(&Slopes) -> f64) -> State {
         let matrix_density = alpha * rho;
         let matrix = self.eos.slopes(matrix_density, u);
-        State {
-            distention: alpha,
-            unloaded,
-            pressure: matrix.p / alpha,
-            sound_speed: bounded_sound(matrix.sound2(matrix_density), self.sound2_at_rest),
-            stress_factor: factor(&matrix),
-        }
+        let (pressure, stress_factor) = (matrix.p / alpha, factor(&matrix));
+        let sound_speed = bounded_sound(matrix.sound2(matrix_density), self.sound2_at_rest);
+        let loading_speed = if stress_factor < 1.0 {
+            let share = stress_factor.max(0.0);
+            let heat = matrix.by_u * pressure / (matrix_density * rho);
+            (share * matrix.by_rho + heat + (1.0 - share) * pressure / rho).max(0.0).sqrt().min(sound_speed)
+        } else {
+            sound_speed
+        };
+        State { distention: alpha, unloaded, pressure, sound_speed, loading_speed, stress_factor }
     }
 }
 
@@ -332,6 +345,12 @@ mod tests {
                 let by_rho = (side(d) - side(-d)) / (2.0 * d);
                 let expected = 1.0 + rho / here.distention * by_rho;
                 assert!((here.stress_factor - expected).abs() < 2e-5, "{compression} {here:?} {expected}");
+                let pressure =
+                    |d: f64| porous.state(rho + d, u + here.pressure / (rho * rho) * d, porous.initial).pressure;
+                let loading = ((pressure(d) - pressure(-d)) / (2.0 * d)).sqrt();
+                if expected > 0.01 {
+                    assert!((here.loading_speed / loading - 1.0).abs() < 1e-3, "{compression} {here:?} {loading}");
+                }
             }
         }
     }

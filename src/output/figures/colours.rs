@@ -17,7 +17,7 @@ const MAP: [[f64; 3]; 9] = [
 ];
 
 /// Told apart by colour-blind readers too (Okabe and Ito 2008).
-const HUES: [RGBColor; 7] = [
+pub const HUES: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
@@ -35,6 +35,27 @@ pub fn colour(fraction: f64) -> RGBColor {
     RGBColor(mix(0), mix(1), mix(2))
 }
 
+/// How numbers become colours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shades {
+    /// [`colour`].
+    Colours,
+    /// White at the low end, black at the high one.
+    Greys,
+    /// Light below the middle, dark above.
+    LightAndDark,
+}
+
+/// The colour of a fraction from 0 to 1; beyond, that of the nearer end.
+pub fn shade(shades: Shades, fraction: f64) -> RGBColor {
+    let grey = |light: f64| RGBColor(light as u8, light as u8, light as u8);
+    match shades {
+        Shades::Colours => colour(fraction),
+        Shades::Greys => grey((255.0 * (1.0 - fraction.clamp(0.0, 1.0))).round()),
+        Shades::LightAndDark => grey(if fraction > 0.5 { 30.0 } else { 205.0 }),
+    }
+}
+
 /// The colour of curve number `k`.
 pub fn hue(k: usize) -> RGBColor {
     HUES[k % HUES.len()]
@@ -49,6 +70,12 @@ mod tests {
         let luminance = |c: RGBColor| 0.2126 * c.0 as f64 + 0.7152 * c.1 as f64 + 0.0722 * c.2 as f64;
         let values: Vec<f64> = (0..=32).map(|k| luminance(colour(k as f64 / 32.0))).collect();
         assert!(values.windows(2).all(|w| w[1] > w[0]), "{values:?}");
+    }
+
+    #[test]
+    fn greys_fall_from_white_to_black() {
+        let greys = [0.0, 0.5, 1.0, 7.0].map(|fraction| shade(Shades::Greys, fraction).0);
+        assert_eq!(greys, [255, 128, 0, 0]);
     }
 
     #[test]

@@ -1,4 +1,6 @@
-//! The outcome at a glance: a cut through the bodies, damage (else density) beside peak pressure (else speed).
+//! The outcome at a glance: a cut through the bodies. On the left damage, else distention (grey: the first black, none left
+//! white), else density; on the right what has been ejected (dark), where the scene says from which speed on, else peak
+//! pressure, else speed.
 
 use std::path::Path;
 
@@ -6,13 +8,14 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::colours::colour;
+use super::colours::{Shades, shade};
 use super::paint;
 use super::raster::{Dot, Plane, Raster, rasterise, window};
 use super::scale::{Scale, number};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::material::BodyConstants;
+use crate::material::porosity::DISTENTION;
 use crate::math::Vec3;
 use crate::output::agree;
 use crate::particles::{Column, Columns, ParticleId};
@@ -25,21 +28,43 @@ const PANEL_WIDTH: i32 = 890;
 const SIZE: (u32, u32) = (2 * PANEL_WIDTH as u32, 820);
 /// Largest over smallest value beyond which a quantity that spans orders of magnitude gets a logarithmic colour bar.
 const SPAN: f64 = 100.0;
+/// Where there is nothing, behind greys.
+const SKY: RGBColor = RGBColor(222, 232, 242);
+
+/// What is to be drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    pub title: String,
+    pub plane: Plane,
+    /// Axis and speed (m/s) along it from which on matter counts as ejected.
+    pub ejected: Option<(usize, f64)>,
+    /// The largest distention that a body starts with.
+    pub distention: f64,
+}
 
 /// What a panel shows.
 struct Quantity {
-    title: &'static str,
+    title: String,
     unit: &'static str,
     /// Known limits of the values, where there are some.
     limits: Option<(f64, f64)>,
     /// May span orders of magnitude.
     wide: bool,
+    shades: Shades,
     value: Source,
+}
+
+impl Quantity {
+    fn new(title: &str, unit: &'static str, value: Source) -> Self {
+        Self { title: title.into(), unit, limits: None, wide: false, shades: Shades::Colours, value }
+    }
 }
 
 enum Source {
     Column(Column<f64>),
     Speed(Column<Vec3>),
+    /// One where the velocity along an axis is above a speed, else zero.
+    Faster(Column<Vec3>, usize, f64),
 }
 
 impl Source {
@@ -47,22 +72,23 @@ impl Source {
         match self {
             Source::Column(column) => columns.get(*column, i),
             Source::Speed(velocity) => columns.get(*velocity, i).norm(),
+            Source::Faster(velocity, axis, speed) => f64::from(columns.get(*velocity, i)[*axis] > *speed),
         }
     }
 }
 
-/// Draws the cut along `plane` to a PNG file. Collective; the picture is the same for any number of ranks.
+/// Draws a cut to a PNG file. Collective; the picture is the same for any number of ranks.
 pub fn draw(
     path: &Path,
-    title: &str,
-    plane: &Plane,
+    picture: &Picture,
     (columns, bodies): (&Columns, &[BodyConstants]),
     comm: &Comm,
 ) -> Result<()> {
-    let quantities = choose(columns)?;
+    let quantities = [left(picture, columns)?, right(picture, columns)?];
     let dots = dots(columns, bodies, &quantities)?;
+    let plane = &picture.plane;
     let raster = rasterise(plane, window(plane, &dots, SIDE, comm), &dots, comm);
-    let mine = if comm.is_root() { picture(path, title, (plane, &raster), &quantities) } else { Ok(()) };
+    let mine = if comm.is_root() { paint_panels(path, picture, &raster, &quantities) } else { Ok(()) };
     agree(comm, mine)
 }
 
@@ -70,23 +96,33 @@ fn needed<T: crate::particles::Element>(columns: &Columns, name: &str) -> Result
     columns.registry.find(name).ok_or_else(|| Error::new(format!("the picture of a cut needs the column {name}")))
 }
 
-fn choose(columns: &Columns) -> Result<[Quantity; 2]> {
+fn left(picture: &Picture, columns: &Columns) -> Result<Quantity> {
     let scalar = |name| columns.registry.find::<f64>(name).map(Source::Column);
-    let left = match scalar("damage") {
-        Some(value) => Quantity { title: "Damage", unit: "", limits: Some((0.0, 1.0)), wide: false, value },
-        None => {
-            let value = Source::Column(needed(columns, "density")?);
-            Quantity { title: "Density", unit: "kg/m³", limits: None, wide: false, value }
-        }
-    };
-    let right = match scalar("peak_pressure") {
-        Some(value) => Quantity { title: "Peak pressure", unit: "Pa", limits: None, wide: true, value },
-        None => {
-            let value = Source::Speed(needed(columns, "velocity")?);
-            Quantity { title: "Speed", unit: "m/s", limits: None, wide: true, value }
-        }
-    };
-    Ok([left, right])
+    if let Some(value) = scalar("damage") {
+        return Ok(Quantity { limits: Some((0.0, 1.0)), ..Quantity::new("Damage", "", value) });
+    }
+    if let Some(value) = scalar(DISTENTION) {
+        let limits = Some((1.0, picture.distention));
+        return Ok(Quantity { limits, shades: Shades::Greys, ..Quantity::new("Distention", "", value) });
+    }
+    Ok(Quantity::new("Density", "kg/m³", Source::Column(needed(columns, "density")?)))
+}
+
+fn right(picture: &Picture, columns: &Columns) -> Result<Quantity> {
+    if let Some((axis, speed)) = picture.ejected {
+        let title = format!("Dark: faster than {} m/s upwards", number(speed));
+        let value = Source::Faster(needed(columns, "velocity")?, axis, speed);
+        return Ok(Quantity {
+            limits: Some((0.0, 1.0)),
+            shades: Shades::LightAndDark,
+            ..Quantity::new(&title, "", value)
+        });
+    }
+    if let Some(peak) = columns.registry.find::<f64>("peak_pressure") {
+        return Ok(Quantity { wide: true, ..Quantity::new("Peak pressure", "Pa", Source::Column(peak)) });
+    }
+    let value = Source::Speed(needed(columns, "velocity")?);
+    Ok(Quantity { wide: true, ..Quantity::new("Speed", "m/s", value) })
 }
 
 fn dots(columns: &Columns, bodies: &[BodyConstants], quantities: &[Quantity; 2]) -> Result<Vec<Dot>> {
@@ -101,13 +137,13 @@ fn dots(columns: &Columns, bodies: &[BodyConstants], quantities: &[Quantity; 2])
     Ok((0..columns.len()).map(dot).collect())
 }
 
-fn picture(path: &Path, title: &str, drawn: (&Plane, &Raster), quantities: &[Quantity; 2]) -> Result<()> {
+fn paint_panels(path: &Path, picture: &Picture, raster: &Raster, quantities: &[Quantity; 2]) -> Result<()> {
     paint(path, SIZE, |root| {
         let text = ("sans-serif", 26).into_font().color(&BLACK).pos(Pos::new(HPos::Center, VPos::Top));
-        root.draw(&Text::new(title.to_string(), (SIZE.0 as i32 / 2, 14), text)).map_err(|e| e.to_string())?;
+        root.draw(&Text::new(picture.title.clone(), (SIZE.0 as i32 / 2, 14), text)).map_err(|e| e.to_string())?;
         let panels = root.split_evenly((1, 2));
-        for ((panel, quantity), values) in panels.iter().zip(quantities).zip(&drawn.1.panels) {
-            draw_panel(panel, quantity, values, drawn).map_err(|e| e.to_string())?;
+        for ((panel, quantity), values) in panels.iter().zip(quantities).zip(&raster.panels) {
+            draw_panel(panel, quantity, values, (&picture.plane, raster)).map_err(|e| e.to_string())?;
         }
         Ok(())
     })
@@ -119,14 +155,18 @@ type Drawn<'a> = std::result::Result<(), DrawingAreaErrorKind<<BitMapBackend<'a>
 fn draw_panel<'a>(area: &Area<'a>, quantity: &Quantity, values: &[f64], drawn: (&Plane, &Raster)) -> Drawn<'a> {
     let scale = colour_scale(quantity, values);
     let side = SIDE as i32;
+    if quantity.shades == Shades::Greys {
+        // White is a value there.
+        area.draw(&Rectangle::new([(LEFT, TOP), (LEFT + side - 1, TOP + side - 1)], SKY.filled()))?;
+    }
     for (pixel, value) in values.iter().enumerate().filter(|(_, value)| !value.is_nan()) {
         let (row, column) = ((pixel / SIDE) as i32, (pixel % SIDE) as i32);
-        area.draw_pixel((LEFT + column, TOP + side - 1 - row), &colour(scale.fraction(*value)))?;
+        area.draw_pixel((LEFT + column, TOP + side - 1 - row), &shade(quantity.shades, scale.fraction(*value)))?;
     }
     let heading = style(22).pos(Pos::new(HPos::Center, VPos::Bottom));
-    area.draw(&Text::new(quantity.title, (LEFT + side / 2, TOP - 10), heading))?;
+    area.draw(&Text::new(quantity.title.as_str(), (LEFT + side / 2, TOP - 10), heading))?;
     draw_axes(area, drawn)?;
-    draw_bar(area, quantity, &scale)
+    if quantity.shades == Shades::LightAndDark { Ok(()) } else { draw_bar(area, quantity, &scale) }
 }
 
 fn style(size: i32) -> TextStyle<'static> {
@@ -200,7 +240,7 @@ fn draw_axes<'a>(area: &Area<'a>, (plane, raster): (&Plane, &Raster)) -> Drawn<'
 fn draw_bar<'a>(area: &Area<'a>, quantity: &Quantity, scale: &Scale) -> Drawn<'a> {
     let (left, right, side) = (LEFT + SIDE as i32 + 24, LEFT + SIDE as i32 + 48, SIDE as i32);
     for y in 0..side {
-        let shade = colour((side - 1 - y) as f64 / (side - 1) as f64);
+        let shade = shade(quantity.shades, (side - 1 - y) as f64 / (side - 1) as f64);
         area.draw(&PathElement::new([(left, TOP + y), (right, TOP + y)], shade))?;
     }
     area.draw(&Rectangle::new([(left - 1, TOP - 1), (right + 1, TOP + side)], BLACK))?;

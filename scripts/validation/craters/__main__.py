@@ -1,0 +1,147 @@
+"""The page tests/validation/craters.md: impacts into porous ground beside Jutzi, Benz & Michel 2008, Sec. 5.3."""
+
+import csv
+import pathlib
+import shutil
+import sys
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+import cases
+from page import FOLDER
+from runs import perform
+
+HEAD = """# Craters in porous ground
+
+Written by `scripts/validate_craters`: `inputs/deep_impact.toml` and `inputs/compaction_models.toml` over resolution, beside Jutzi, Benz &
+Michel 2008 (Icarus 198, 242). Spacings are those near the impact; the paper's particles are 23 cm apart. What the figures mean, and what
+they depend on, stands in `scripts/validation/craters/judgement.md`."""
+
+PAPER_VOLUMES = {"P-alpha": 62.3, "rho-alpha": 61.9, "epsilon-alpha": 82.9, "P-alpha, soft": 95.2}
+PAPER_DISTENTION = {"P-alpha": "1", "rho-alpha": "about 1.8", "epsilon-alpha": "about 1.8", "P-alpha, soft": "-"}
+
+
+def there(run):
+    return (run.folder / "summary.json").exists()
+
+
+def rows(run, name):
+    with open(run.folder / name) as file:
+        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+
+
+def table(header, lines):
+    marks = "|".join("---" for _ in header)
+    return "\n".join(["| " + " | ".join(header) + " |", f"|{marks}|", *("| " + " | ".join(line) + " |" for line in lines)])
+
+
+def price(found):
+    return [str(found["particles"]), f"{found['core_seconds']:.0f}", f"{found['energy_drift']:.0e}"]
+
+
+def deep_impact():
+    """Ejected mass of all variants."""
+    lines = []
+    for spacing in cases.DEEP_IMPACT:
+        solid = cases.deep_impact("solid", spacing)
+        for variant in cases.DEEP_IMPACT_VARIANTS:
+            run = cases.deep_impact(variant, spacing)
+            if not there(run):
+                continue
+            found = run.summary()
+            mass = found["outcome"]["ejected_mass"]
+            ratio = f"{solid.summary()['outcome']['ejected_mass'] / mass:.1f}" if there(solid) and mass else ""
+            above = f"{found['outcome']['ejected_mass_above_face']:.3g}"
+            lines.append([f"{spacing} cm", variant, f"{mass:.3g}", above, ratio, *price(found)])
+    header = ["spacing", "ice", "above 2 m/s, kg", "and above the face, kg", "solid / this", "particles", "core-s", "drift of energy"]
+    figure("craters_deep_impact.png", [(v, cases.deep_impact(v, s), "mass_kg", s) for v in cases.DEEP_IMPACT_VARIANTS for s in cases.DEEP_IMPACT], "mass [kg]")
+    keep_picture(cases.deep_impact, cases.DEEP_IMPACT_VARIANTS, cases.DEEP_IMPACT, "craters_deep_impact")
+    return table(header, lines) + "\n\nThe paper: solid / porous about 10, rho-alpha as P-alpha.\n\n![](craters_deep_impact.png)"
+
+
+def compaction():
+    lines = []
+    for spacing in cases.COMPACTION:
+        for variant in cases.COMPACTION_VARIANTS:
+            run = cases.compaction(variant, spacing)
+            if not there(run):
+                continue
+            found = run.summary()
+            outcome = found["outcome"]
+            lines.append([
+                f"{spacing} cm", variant, f"{outcome['compacted_volume']:.1f}", f"{PAPER_VOLUMES[variant]}",
+                f"{outcome['minimum_distention']:.3f}", PAPER_DISTENTION[variant], f"{outcome['crushed_volume']:.2f}", *price(found),
+            ])
+    header = ["spacing", "law", "compacted, m^3", "paper", "least distention", "paper", "crushed, m^3", "particles", "core-s", "drift of energy"]
+    runs = [(v, cases.compaction(v, s), "volume_before_m3", s) for v in cases.COMPACTION_VARIANTS for s in cases.COMPACTION]
+    figure("craters_compaction.png", runs, "volume before the impact [m$^3$]")
+    profiles("craters_distention.png")
+    keep_picture(cases.compaction, cases.COMPACTION_VARIANTS, cases.COMPACTION, "craters_compaction")
+    return table(header, lines) + "\n\n![](craters_compaction.png) ![](craters_distention.png)"
+
+
+def figure(name, runs, label):
+    """Ejecta over speed: a colour for each variant, thinner for coarser runs; compacted volumes as levels."""
+    fig, axes = plt.subplots(figsize=(8, 6))
+    variants = list(dict.fromkeys(variant for variant, *_ in runs))
+    finest = {v: min((s for w, run, _, s in runs if w == v and there(run)), default=None) for v in variants}
+    for variant, run, column, spacing in runs:
+        if not there(run):
+            continue
+        found = rows(run, "ejecta.csv")
+        best = spacing == finest[variant]
+        colour = f"C{variants.index(variant)}"
+        axes.loglog([row["speed_above_m_s"] for row in found], [row[column] for row in found], colour, lw=2 if best else 0.8,
+                    label=f"{variant}, {spacing} cm" if best else None)
+        volume = run.summary()["outcome"].get("compacted_volume")
+        if best and volume and "volume" in column:
+            axes.axhline(volume, color=colour, ls="--", lw=1)
+    axes.set(xlabel="upward speed [m/s]", ylabel=label)
+    axes.set_xlim(left=0.1)
+    axes.legend()
+    fig.savefig(FOLDER / name, dpi=110, bbox_inches="tight")
+    plt.close(fig)
+
+
+def profiles(name):
+    fig, axes = plt.subplots(figsize=(8, 5))
+    for variant in cases.COMPACTION_VARIANTS:
+        runs = [cases.compaction(variant, spacing) for spacing in sorted(cases.COMPACTION)]
+        run = next(filter(there, runs), None)
+        if run:
+            found = rows(run, "distention.csv")
+            axes.plot([row["depth_m"] for row in found], [row["distention"] for row in found], label=variant)
+    axes.set(xlabel="depth below the point of impact [m]", ylabel="distention")
+    axes.legend()
+    fig.savefig(FOLDER / name, dpi=110, bbox_inches="tight")
+    plt.close(fig)
+
+
+def keep_picture(case, variants, spacings, name):
+    """The cut of the finest run of each variant."""
+    for variant in variants:
+        run = next(filter(there, (case(variant, spacing) for spacing in sorted(spacings))), None)
+        if run:
+            shutil.copy(run.folder / "outcome.png", FOLDER / f"{name}_{cases.slug(variant)}.png")
+
+
+def main():
+    if "--list" in sys.argv:
+        return cases.show()
+    most = float(sys.argv[sys.argv.index("--most") + 1]) if "--most" in sys.argv else float("inf")
+    perform([run for run, seconds in cases.all_runs() if seconds <= most])
+    blocks = {"Deep Impact": deep_impact(), "Laws of compaction": compaction()}
+    judgement = pathlib.Path(__file__).with_name("judgement.md")
+    text = [HEAD, *(f"## {title}\n\n{block}" for title, block in blocks.items())]
+    if judgement.exists():
+        text.append(judgement.read_text().strip())
+    (FOLDER / "craters.md").write_text("\n\n".join(text) + "\n")
+    print("written to tests/validation/craters.md")
+
+
+main()

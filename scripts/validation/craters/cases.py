@@ -1,0 +1,67 @@
+"""What is run: variants of two scenes over resolution."""
+
+import sys
+
+from runs import Run
+
+# Between particles near the impact, cm; shells around them are two and four times coarser.
+DEEP_IMPACT = [56, 40, 28]
+COMPACTION = [50, 35, 25]
+
+RHO_ALPHA = ["material.{}.porosity.p_alpha=false", "material.{}.porosity.rho_alpha.quadratic=true"]
+SOLID_ICE = ["material.ice.porosity=false", 'material.ice.eos.tillotson.rho_0="305.67 kg/m^3"']
+
+
+def of(material, settings):
+    return [setting.format(material) for setting in settings]
+
+
+DEEP_IMPACT_VARIANTS = {
+    "P-alpha": [],
+    "rho-alpha": of("ice", RHO_ALPHA),
+    "solid": SOLID_ICE,
+}
+COMPACTION_VARIANTS = {
+    "P-alpha": [],
+    "rho-alpha": of("basalt", RHO_ALPHA),
+    "epsilon-alpha": of("basalt", ["material.{}.porosity.p_alpha=false", "material.{}.porosity.epsilon_alpha=true"]),
+    "P-alpha, soft": of("basalt", ['material.{}.porosity.p_alpha.quadratic.P_s="10 MPa"']),
+}
+
+
+def deep_impact(variant, spacing):
+    shells = [("near", 1), ("middle", 2), ("far", 4)]
+    settings = [f'{body}.spacing="{factor * spacing} cm"' for body, factor in shells]
+    return Run(f"craters/deep_impact_{slug(variant)}_{spacing}cm", "deep_impact.toml", DEEP_IMPACT_VARIANTS[variant] + settings)
+
+
+def compaction(variant, spacing):
+    settings = [f'{body}.spacing="{factor * spacing} cm"' for body, factor in [("near", 1), ("far", 2)]]
+    return Run(f"craters/compaction_{slug(variant)}_{spacing}cm", "compaction_models.toml", COMPACTION_VARIANTS[variant] + settings)
+
+
+def slug(variant):
+    return variant.replace(", ", "_").replace("-", "_")
+
+
+# Core-seconds of the coarsest run of a scene, as measured; halving the spacing takes ten times as long, with twice the steps.
+COARSEST = {"deep_impact": 150, "compaction": 100}
+
+
+def price(scene, spacing):
+    """Predicted core-seconds."""
+    coarsest = {"deep_impact": DEEP_IMPACT, "compaction": COMPACTION}[scene][0]
+    return COARSEST[scene] * (coarsest / spacing) ** 3.3
+
+
+def all_runs():
+    """(run, predicted core-seconds), the cheapest first."""
+    found = [(deep_impact(v, s), price("deep_impact", s)) for v in DEEP_IMPACT_VARIANTS for s in DEEP_IMPACT]
+    found += [(compaction(v, s), price("compaction", s)) for v in COMPACTION_VARIANTS for s in COMPACTION]
+    return sorted(found, key=lambda pair: pair[1])
+
+
+def show(stream=sys.stdout):
+    for run, seconds in all_runs():
+        state = "there" if (run.folder / "summary.json").exists() else f"{seconds:.0f} core-s"
+        print(f"{run.name:50} {state}", file=stream)

@@ -1,0 +1,195 @@
+//! What an impact does to ground: ejecta, the bowl, and how far pores were crushed. Depth and upward speed are measured along
+//! the outward normal of the face that was hit.
+//!
+//! ```text
+//! ejected above v    sum of m over particles of all bodies but the projectile with v_up > v, wherever they are
+//! ... above the face the same of those that have risen above the face that was there
+//! volume             m / rho_0 of these, rho_0 bulk density at the start
+//! compacted volume   sum of m (1 / rho_0 - alpha / (alpha_0 rho_0)) over porous bodies
+//! ```
+//! The first is how Jutzi, Benz & Michel 2008 (Icarus 198, 242) count ejecta (Figs 8, 9, 12); early on it holds matter
+//! that is still on its way up through the ground. alpha distention, alpha_0 at the start.
+//!
+//! Sums are exact, the rest are minima and maxima: no order of particles or ranks changes a bit.
+
+use serde::{Deserialize, Serialize};
+
+use super::profiles::{Bowl, Ejecta, Pores};
+use crate::domain::comm::Comm;
+use crate::material::porosity::DISTENTION;
+use crate::material::{BodyConstants, Core};
+use crate::math::{ExactSum, Vec3};
+use crate::particles::{Column, Columns};
+
+/// Matter thinner than this share of its first density is spray, no ground.
+const THIN: f64 = 0.5;
+/// Distention from which on no pores are left.
+const CRUSHED: f64 = 1.0 + 1e-9;
+
+/// What is asked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Question {
+    /// Where the projectile hits the face, m.
+    pub face: Vec3,
+    /// The axis that points out of the ground.
+    pub up: usize,
+    pub target: usize,
+    pub projectile: usize,
+    /// Upward speed from which on matter counts as ejected, m/s.
+    pub ejection_speed: Option<f64>,
+    /// A width in which the ground has room, m.
+    pub extent: f64,
+}
+
+/// The outcome in figures.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Crater {
+    /// Where the scene says from which speed on matter counts as ejected.
+    pub ejected: Option<Ejected>,
+    /// Of the bowl below the face that was there, m; zero without one.
+    pub depth: f64,
+    /// Of a circle as large as the bowl, m (in 2D half its width).
+    pub radius: f64,
+    /// Where a body has pores.
+    pub compaction: Option<Compaction>,
+    /// Of all bodies but the projectile, kg.
+    pub ground_mass: f64,
+    /// kg.
+    pub projectile_mass: f64,
+}
+
+/// Ejecta faster than the speed that the scene names.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Ejected {
+    /// kg.
+    pub mass: f64,
+    /// Before the impact, m^3 (m^2 in 2D).
+    pub volume: f64,
+    /// Of what has risen above the face, kg.
+    pub mass_above_face: f64,
+}
+
+/// How far pores were crushed.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Compaction {
+    pub minimum_distention: f64,
+    /// By which matter has become smaller, m^3 (m^2 in 2D).
+    pub compacted_volume: f64,
+    /// Volume before the impact of what has no pores left, m^3 (m^2 in 2D).
+    pub crushed_volume: f64,
+}
+
+/// An outcome and the tables behind it.
+pub struct CraterEvaluation {
+    pub crater: Crater,
+    pub ejecta: Ejecta,
+    pub bowl: Bowl,
+    pub pores: Option<Pores>,
+}
+
+/// A particle of the ground, seen from where the projectile hits.
+pub struct Grain {
+    /// m.
+    pub height: f64,
+    /// Along the face from the point of impact, m.
+    pub aside: [f64; 2],
+    /// Upward, m/s.
+    pub speed: f64,
+    /// kg.
+    pub mass: f64,
+    /// Before the impact, m^3 (m^2 in 2D).
+    pub volume: f64,
+    /// Of its first density.
+    pub relative_density: f64,
+    /// Now and at the start, where its body has pores.
+    pub distention: Option<[f64; 2]>,
+}
+
+/// The owned particles of the ground.
+struct Ground<'a> {
+    columns: &'a Columns,
+    core: &'a Core,
+    constants: &'a [BodyConstants],
+    distention: Option<Column<f64>>,
+    question: &'a Question,
+}
+
+impl Ground<'_> {
+    fn grains(&self) -> impl Iterator<Item = Grain> {
+        let question = self.question;
+        (0..self.columns.len()).filter_map(move |i| {
+            let body = self.columns.get(self.core.id, i).body();
+            (body != question.projectile).then(|| {
+                let constants = &self.constants[body];
+                let from_face = self.columns.get(self.core.position, i) - question.face;
+                let first = constants.distention;
+                Grain {
+                    height: from_face[question.up],
+                    aside: [from_face.x, if question.up == 2 { from_face.y } else { 0.0 }],
+                    speed: self.columns.get(self.core.velocity, i)[question.up],
+                    mass: constants.particle_mass,
+                    volume: constants.particle_mass / constants.density,
+                    relative_density: self.columns.get(self.core.density.value, i) / constants.density,
+                    distention: self.distention.filter(|_| first > 1.0).map(|now| [self.columns.get(now, i), first]),
+                }
+            })
+        })
+    }
+}
+
+/// Evaluates the state of all ranks. Collective.
+pub fn evaluate(
+    comm: &Comm,
+    (columns, core): (&Columns, &Core),
+    constants: &[BodyConstants],
+    question: &Question,
+) -> CraterEvaluation {
+    let distention = columns.registry.find::<f64>(DISTENTION);
+    let ground = Ground { columns, core, constants, distention, question };
+    let volume = constants[question.target].particle_mass / constants[question.target].density;
+    let spacing = if columns.registry.dimension == 3 { libm::cbrt(volume) } else { volume.sqrt() };
+    let mass = |body: &BodyConstants| body.particle_mass * body.particles as f64;
+    let projectile_mass = mass(&constants[question.projectile]);
+    let has_pores = distention.is_some() && constants.iter().any(|body| body.distention > 1.0);
+
+    let ejecta = Ejecta::count(comm, ground.grains());
+    let fastest = question.ejection_speed.unwrap_or(f64::INFINITY);
+    let dense = ground.grains().filter(|grain| grain.relative_density > THIN && grain.speed <= fastest);
+    let bowl = Bowl::measure(comm, dense, (spacing, question.extent), columns.registry.dimension);
+    let pores = has_pores.then(|| Pores::measure(comm, ground.grains(), (spacing, question.extent)));
+    let [depth, radius] = bowl.size();
+    let crater = Crater {
+        ejected: question.ejection_speed.map(|speed| ejected(comm, ground.grains(), speed)),
+        depth,
+        radius,
+        compaction: has_pores.then(|| compaction(comm, ground.grains())),
+        ground_mass: constants.iter().map(mass).sum::<f64>() - projectile_mass,
+        projectile_mass,
+    };
+    CraterEvaluation { crater, ejecta, bowl, pores }
+}
+
+fn ejected(comm: &Comm, grains: impl Iterator<Item = Grain>, speed: f64) -> Ejected {
+    let mut sums = [const { ExactSum::new() }; 3];
+    for grain in grains.filter(|grain| grain.speed > speed) {
+        let above = if grain.height > 0.0 { grain.mass } else { 0.0 };
+        sums.iter_mut().zip([grain.mass, grain.volume, above]).for_each(|(sum, share)| sum.add(share));
+    }
+    let [mass, volume, mass_above_face] = super::all_values(comm, &mut sums);
+    Ejected { mass, volume, mass_above_face }
+}
+
+fn compaction(comm: &Comm, grains: impl Iterator<Item = Grain>) -> Compaction {
+    let mut sums = [const { ExactSum::new() }; 2];
+    let mut least = [f64::INFINITY];
+    for (volume, [now, first]) in grains.filter_map(|grain| Some((grain.volume, grain.distention?))) {
+        sums[0].add(volume * (1.0 - now / first));
+        if now <= CRUSHED {
+            sums[1].add(volume);
+        }
+        least[0] = now.min(least[0]);
+    }
+    comm.all_min(&mut least);
+    let [compacted_volume, crushed_volume] = super::all_values(comm, &mut sums);
+    Compaction { minimum_distention: least[0], compacted_volume, crushed_volume }
+}

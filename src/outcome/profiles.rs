@@ -1,0 +1,201 @@
+//! Tables of what an impact did to ground: mass above a speed, a map of the bowl, pores over depth below the point of impact.
+
+use std::fmt::Write;
+
+use super::crater::Grain;
+use crate::domain::comm::Comm;
+use crate::math::ExactSum;
+
+/// Bins of speed per factor of ten.
+const PER_DECADE: i32 = 10;
+/// The slowest and the fastest edge, powers of ten of m/s.
+const SLOWEST: i32 = -2;
+const FASTEST: i32 = 5;
+/// Bins of a profile at most.
+const MOST_BINS: usize = 1 << 16;
+/// Cells along the side of a map at most.
+const MOST_CELLS: usize = 1 << 10;
+/// Width of a map's cells and radius of the column below the point of impact, in spacings.
+const WIDTH: f64 = 2.0;
+
+/// Mass and volume above upward speeds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ejecta {
+    pub rows: Vec<EjectaRow>,
+}
+
+/// What is faster than `speed`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EjectaRow {
+    /// m/s.
+    pub speed: f64,
+    /// kg.
+    pub mass: f64,
+    /// Before the impact, m^3 (m^2 in 2D).
+    pub volume: f64,
+    /// Of what has risen above the face, kg.
+    pub mass_above_face: f64,
+}
+
+impl Ejecta {
+    /// Collective.
+    pub fn count(comm: &Comm, grains: impl Iterator<Item = Grain>) -> Self {
+        let edge = |k: i32| libm::exp10(k as f64 / PER_DECADE as f64);
+        let edges: Vec<f64> = (SLOWEST * PER_DECADE..=FASTEST * PER_DECADE).map(edge).collect();
+        let mut sums = vec![ExactSum::new(); 3 * edges.len()];
+        for grain in grains {
+            // Bin k holds speeds above edge k, up to the next.
+            let Some(bin) = edges.partition_point(|edge| *edge < grain.speed).checked_sub(1) else { continue };
+            let above = if grain.height > 0.0 { grain.mass } else { 0.0 };
+            let shares = [grain.mass, grain.volume, above];
+            sums[3 * bin..][..3].iter_mut().zip(shares).for_each(|(sum, share)| sum.add(share));
+        }
+        let mut limbs: Vec<i64> = sums.iter_mut().flat_map(|sum| sum.limbs_mut().to_vec()).collect();
+        comm.all_sum(&mut limbs);
+        let mut faster = [const { ExactSum::new() }; 3];
+        let mut rows = Vec::new();
+        for (bin, words) in limbs.chunks_exact(3 * ExactSum::WORDS).enumerate().rev() {
+            for (sum, words) in faster.iter_mut().zip(words.chunks_exact(ExactSum::WORDS)) {
+                sum.merge(&ExactSum::from_limbs(words));
+            }
+            let [mass, volume, mass_above_face] = [0, 1, 2].map(|k| faster[k].value());
+            if mass > 0.0 {
+                rows.push(EjectaRow { speed: edges[bin], mass, volume, mass_above_face });
+            }
+        }
+        rows.reverse();
+        Self { rows }
+    }
+
+    /// `ejecta.csv`.
+    pub fn table(&self) -> String {
+        let mut text = String::from("speed_above_m_s,mass_kg,volume_before_m3,mass_above_face_kg\n");
+        for row in &self.rows {
+            let _ = writeln!(text, "{:e},{:e},{:e},{:e}", row.speed, row.mass, row.volume, row.mass_above_face);
+        }
+        text
+    }
+}
+
+/// How high dense matter reaches, on a map of the face.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bowl {
+    /// m.
+    spacing: f64,
+    /// Cells along x, as many or one across.
+    side: usize,
+    /// Highest place in each cell, m above the face; negative infinity where there is nothing.
+    levels: Vec<f64>,
+}
+
+impl Bowl {
+    /// Of these particles. Collective.
+    pub fn measure(
+        comm: &Comm,
+        dense: impl Iterator<Item = Grain>,
+        (spacing, extent): (f64, f64),
+        dimension: usize,
+    ) -> Self {
+        let side = bins(extent, WIDTH * spacing).min(MOST_CELLS);
+        let across = if dimension == 3 { side } else { 1 };
+        let mut levels = vec![f64::NEG_INFINITY; side * across];
+        let cell = |x: f64, cells: usize| {
+            let at = (x / (WIDTH * spacing) + 0.5 * cells as f64).floor();
+            (at >= 0.0 && at < cells as f64).then_some(at as usize)
+        };
+        for grain in dense {
+            let [Some(x), Some(y)] = [cell(grain.aside[0], side), cell(grain.aside[1], across)] else { continue };
+            // A particle fills a cell around it.
+            let level = &mut levels[y * side + x];
+            *level = level.max(grain.height + 0.5 * spacing);
+        }
+        comm.all_max(&mut levels);
+        Self { spacing, side, levels }
+    }
+
+    /// Depth, to within a spacing, and radius, m, of what lies a spacing or more below the face.
+    pub fn size(&self) -> [f64; 2] {
+        let hollow = self.levels.iter().filter(|level| level.is_finite() && **level < -self.spacing);
+        let (cells, lowest) = hollow.fold((0, 0.0), |(n, low): (usize, f64), level| (n + 1, low.min(*level)));
+        let cell = WIDTH * self.spacing;
+        let planar = self.levels.len() == self.side;
+        let area = cells as f64 * if planar { cell } else { cell * cell };
+        [-lowest, if planar { 0.5 * area } else { (area / std::f64::consts::PI).sqrt() }]
+    }
+
+    /// `crater.csv`.
+    pub fn table(&self) -> String {
+        let mut text = String::from("x_m,y_m,surface_m\n");
+        let across = self.levels.len() / self.side;
+        let middle = |k: usize, cells: usize| (k as f64 + 0.5 - 0.5 * cells as f64) * WIDTH * self.spacing;
+        for (k, level) in self.levels.iter().enumerate().filter(|(_, level)| level.is_finite()) {
+            let (x, y) = (middle(k % self.side, self.side), middle(k / self.side, across));
+            let _ = writeln!(text, "{x:e},{y:e},{level:e}");
+        }
+        text
+    }
+}
+
+/// Distention over depth, in a column below the point of impact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pores {
+    pub rows: Vec<PoresRow>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PoresRow {
+    /// Middle of the bin, m below the face.
+    pub depth: f64,
+    /// Mean by mass.
+    pub mean: f64,
+    pub least: f64,
+    pub largest: f64,
+}
+
+impl Pores {
+    /// Collective.
+    pub fn measure(comm: &Comm, grains: impl Iterator<Item = Grain>, (spacing, extent): (f64, f64)) -> Self {
+        let bins = bins(extent, spacing);
+        let mut sums = vec![ExactSum::new(); 2 * bins];
+        let mut ends = vec![f64::INFINITY; 2 * bins];
+        for grain in grains.filter(|grain| from_axis(grain) < WIDTH * spacing && grain.height <= 0.0) {
+            let (Some([now, _]), bin) = (grain.distention, (-grain.height / spacing) as usize) else { continue };
+            if bin < bins {
+                sums[2 * bin].add(grain.mass);
+                sums[2 * bin + 1].add(grain.mass * now);
+                ends[2 * bin] = ends[2 * bin].min(now);
+                ends[2 * bin + 1] = ends[2 * bin + 1].min(-now);
+            }
+        }
+        comm.all_min(&mut ends);
+        let mut limbs: Vec<i64> = sums.iter_mut().flat_map(|sum| sum.limbs_mut().to_vec()).collect();
+        comm.all_sum(&mut limbs);
+        let value = |k: usize| ExactSum::from_limbs(&limbs[k * ExactSum::WORDS..(k + 1) * ExactSum::WORDS]).value();
+        let filled = (0..bins).filter(|bin| ends[2 * bin].is_finite());
+        let row = |bin: usize| PoresRow {
+            depth: (bin as f64 + 0.5) * spacing,
+            mean: value(2 * bin + 1) / value(2 * bin),
+            least: ends[2 * bin],
+            largest: -ends[2 * bin + 1],
+        };
+        Self { rows: filled.map(row).collect() }
+    }
+
+    /// `distention.csv`.
+    pub fn table(&self) -> String {
+        let mut text = String::from("depth_m,distention,least,largest\n");
+        for row in &self.rows {
+            let _ = writeln!(text, "{:e},{:e},{:e},{:e}", row.depth, row.mean, row.least, row.largest);
+        }
+        text
+    }
+}
+
+/// Distance from the axis through the point of impact, m.
+fn from_axis(grain: &Grain) -> f64 {
+    (grain.aside[0] * grain.aside[0] + grain.aside[1] * grain.aside[1]).sqrt()
+}
+
+fn bins(extent: f64, width: f64) -> usize {
+    ((extent / width).ceil() as usize).clamp(1, MOST_BINS)
+}

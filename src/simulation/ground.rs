@@ -1,0 +1,147 @@
+//! What a run does about an impact onto ground: asks for the crater, writes its tables and figures.
+
+use std::path::Path;
+
+use super::run::Run;
+use crate::error::Result;
+use crate::math::Vec3;
+use crate::outcome::crater::{self, Crater, CraterEvaluation, Question};
+use crate::outcome::profiles::PoresRow;
+use crate::output::agree;
+use crate::output::figures::curves::{Axis, Figure, Mark, Series};
+use crate::output::publish::replace_text;
+use crate::scene::Scene;
+
+impl<const D: usize> Run<'_, D> {
+    /// The crater as it is now, where the scene hits a flat face, with its files. Collective.
+    pub(super) fn crater(&mut self) -> Result<Option<Crater>> {
+        let constants = &self.stepper.settings.constants;
+        let Some(question) = question(self.scene) else { return Ok(None) };
+        let particles = (&self.stepper.columns, &self.stepper.settings.core);
+        let evaluation = crater::evaluate(self.comm, particles, constants, &question);
+        let files = Files {
+            title: &self.scene.title,
+            directory: &self.options.directory,
+            figures: self.scene.output.picture,
+            dimension: D,
+        };
+        agree(self.comm, if self.comm.is_root() { files.write(&evaluation) } else { Ok(()) })?;
+        Ok(Some(evaluation.crater))
+    }
+}
+
+fn question(scene: &Scene) -> Option<Question> {
+    let (face, impact) = (scene.face()?, scene.impact.as_ref()?);
+    let ground = scene.bodies.iter().enumerate().filter(|(body, _)| *body != impact.projectile);
+    let extent = ground.fold(0.0, |most: f64, (_, body)| most.max(2.0 * body.shape.outer_radius()));
+    Some(Question {
+        face: Vec3::from(face.middle),
+        up: face.up,
+        target: impact.target,
+        projectile: impact.projectile,
+        ejection_speed: scene.outcome.map(|asked| asked.ejection_speed),
+        extent,
+    })
+}
+
+/// Figures of an outcome under the names of summary.json.
+pub fn figures(crater: &Crater) -> Vec<(String, f64)> {
+    let mut figures = Vec::new();
+    let mut named = |name: &str, value: f64| figures.push((name.to_string(), value));
+    if let Some(ejected) = crater.ejected {
+        named("ejected_mass", ejected.mass);
+        named("ejected_volume", ejected.volume);
+        named("ejected_mass_above_face", ejected.mass_above_face);
+        named("ejected_over_projectile", ejected.mass / crater.projectile_mass);
+    }
+    named("crater_depth", crater.depth);
+    named("crater_radius", crater.radius);
+    if let Some(compaction) = crater.compaction {
+        named("minimum_distention", compaction.minimum_distention);
+        named("compacted_volume", compaction.compacted_volume);
+        named("crushed_volume", compaction.crushed_volume);
+    }
+    named("ground_mass", crater.ground_mass);
+    named("projectile_mass", crater.projectile_mass);
+    figures
+}
+
+/// Where and how tables are written; by one rank.
+struct Files<'a> {
+    title: &'a str,
+    directory: &'a Path,
+    figures: bool,
+    dimension: usize,
+}
+
+impl Files<'_> {
+    fn write(&self, evaluation: &CraterEvaluation) -> Result<()> {
+        replace_text(&self.directory.join("ejecta.csv"), &evaluation.ejecta.table())?;
+        replace_text(&self.directory.join("crater.csv"), &evaluation.bowl.table())?;
+        if let Some(pores) = &evaluation.pores {
+            replace_text(&self.directory.join("distention.csv"), &pores.table())?;
+        }
+        if !self.figures {
+            return Ok(());
+        }
+        self.draw_ejecta(evaluation)?;
+        self.draw_pores(evaluation)
+    }
+
+    fn figure(&self, x: (&str, bool), y: (&str, bool), series: Vec<Series>) -> Figure {
+        let axis = |(label, logarithmic): (&str, bool)| Axis { label: label.into(), logarithmic };
+        Figure { title: self.title.into(), x: axis(x), y: axis(y), series }
+    }
+
+    /// Volume where there is one that was compacted to compare it with, else mass.
+    fn draw_ejecta(&self, evaluation: &CraterEvaluation) -> Result<()> {
+        let rows = &evaluation.ejecta.rows;
+        let compaction = evaluation.crater.compaction;
+        let points = rows.iter().map(|row| (row.speed, if compaction.is_some() { row.volume } else { row.mass }));
+        let line =
+            |label: &str, points: Vec<(f64, f64)>, mark| Series { label: label.into(), points, errors: vec![], mark };
+        let mut series = vec![line("faster upwards", points.collect(), Mark::Line)];
+        if let (Some(compaction), Some(first), Some(last)) = (compaction, rows.first(), rows.last()) {
+            let level = [first.speed, last.speed].map(|speed| (speed, compaction.compacted_volume));
+            series.push(line("compacted", level.to_vec(), Mark::Dashed));
+        }
+        let cubic = if self.dimension == 3 { "m³" } else { "m²" };
+        let what = match compaction {
+            Some(_) => format!("Volume before the impact [{cubic}]"),
+            None => "Mass [kg]".to_string(),
+        };
+        let figure = self.figure(("Upward speed [m/s]", true), (&what, true), series);
+        figure.draw(&self.directory.join("ejecta.png"))
+    }
+
+    fn draw_pores(&self, evaluation: &CraterEvaluation) -> Result<()> {
+        let Some(pores) = &evaluation.pores else { return Ok(()) };
+        let line = |label: &str, value: fn(&PoresRow) -> f64, mark| Series {
+            label: label.into(),
+            points: pores.rows.iter().map(|row| (row.depth, value(row))).collect(),
+            errors: vec![],
+            mark,
+        };
+        let series = vec![
+            line("mean", |row| row.mean, Mark::Line),
+            line("least", |row| row.least, Mark::Dashed),
+            line("largest", |row| row.largest, Mark::Dashed),
+        ];
+        let figure = self.figure(("Depth below the point of impact [m]", false), ("Distention", false), series);
+        figure.draw(&self.directory.join("distention.png"))
+    }
+}
+
+/// The crater on the terminal, rank 0.
+pub fn print(crater: &Crater) {
+    let mut text = format!("crater {:.3} m deep, {:.3} m in radius", crater.depth, crater.radius);
+    if let Some(ejected) = crater.ejected {
+        let ratio = ejected.mass / crater.projectile_mass;
+        text += &format!("; ejected {:.4e} kg, {ratio:.3} of the projectile's mass", ejected.mass);
+    }
+    if let Some(compaction) = crater.compaction {
+        let (volume, least) = (compaction.compacted_volume, compaction.minimum_distention);
+        text += &format!("; compacted {volume:.4e} m^3, distention down to {least:.4}");
+    }
+    tracing::info!("{text}");
+}
