@@ -78,6 +78,21 @@ fn number_that_is_none() {
 }
 
 #[test]
+fn pores_that_make_no_sense() {
+    let old = "[material.basalt.fracture]";
+    let table =
+        |distention: &str| format!("[material.basalt.porosity]\np_alpha = {{ quadratic = true }}\n{distention}\n{old}");
+    let line = 2 + IMPACT.lines().position(|line| line == old).expect("fracture") + 1;
+    let place = format!("scene.toml:{line}: material.basalt.porosity.distention");
+    assert_edit_refused(
+        old,
+        &table("distention = 0.5"),
+        &[&place, "distention is 0.5", "allowed: 1 (no pores) and above"],
+    );
+    assert_edit_refused(old, &table("distension = 2"), &["distension", "distention"]);
+}
+
+#[test]
 fn broken_toml() {
     assert_scene_refused("title = \"ends in the middle\n", &["scene.toml", "1"]);
 }

@@ -13,6 +13,8 @@ mod faults;
 mod fracture;
 mod hard_cases;
 mod hard_neighbours;
+mod hard_pores;
+mod hard_pores_shocks;
 mod output;
 mod pair_loop;
 mod pay_for_use;

@@ -59,6 +59,10 @@ const CORE: [(&str, usize); 12] = [
 ];
 const STRENGTH: [(&str, usize); 2] = [("deviatoric_stress", 5), ("deviatoric_stress_rate", 5)];
 const FRACTURE: [(&str, usize); 2] = [("damage", 1), ("activation_threshold", 1)];
+/// Rigid pores of a material that can break, and what elastic ones need.
+const PORES: [(&str, usize); 4] =
+    [("distention", 1), ("stress_factor", 1), ("loading_speed", 1), ("compaction_damage", 1)];
+const ELASTIC_PORES: [(&str, usize); 1] = [("unloaded_distention", 1)];
 const RECORDS: [(&str, usize); 3] = [("peak_pressure", 1), ("melt_fraction", 1), ("vapour_fraction", 1)];
 const VARIABLE_H: [(&str, usize); 2] = [("smoothing_length", 1), ("build_smoothing_length", 1)];
 
@@ -92,6 +96,16 @@ fn cases() -> Vec<Case> {
         case("gas", "", true, with(&[]), viscous, 6 + 1 + 3 + 1),
         case("+ strength", "[material.basalt.strength]", false, with(&STRENGTH), solid, 6 + 6 + 3 + 1),
         case("+ fracture", "[material.basalt.fracture]", false, with(&FRACTURE), solid, 6 + 6 + 3 + 1),
+        // What pores change is in the pressure, the stress and the damage that a record holds anyway.
+        case("+ porosity", "[material.basalt.porosity.p_alpha.quadratic]", false, with(&PORES), solid, 6 + 6 + 3 + 1),
+        case(
+            "+ elastic pores",
+            "material.basalt.porosity.p_alpha.elastic = { c_e = \"2 km/s\", c_0 = \"3.145 km/s\" }",
+            false,
+            with(&ELASTIC_PORES),
+            solid,
+            6 + 6 + 3 + 1,
+        ),
         case("+ corrected gradient", "numerics.corrected_gradient = true", false, with(&[]), corrected, 6 + 6 + 3 + 1),
         case("+ artificial stress", "numerics.artificial_stress = true", false, with(&[]), tensile, 6 + 6 + 3 + 1 + 6),
         case(
@@ -121,7 +135,11 @@ impl Case {
         let off = if self.terms.viscosity == Viscosity::Off { "numerics.viscosity = false\n" } else { "" };
         let keys: Vec<&str> = asked.iter().copied().filter(|line| !line.starts_with('[')).collect();
         let tables: Vec<&str> = asked.iter().copied().filter(|line| line.starts_with('[')).collect();
-        let balls = BALLS.replace("MATERIAL", material).replace("particles =", &format!("{heat}particles ="));
+        let mut balls = BALLS.replace("MATERIAL", material).replace("particles =", &format!("{heat}particles ="));
+        if asked.iter().any(|line| line.contains("porosity")) {
+            // Porous bodies are as heavy as their pores leave them.
+            balls = balls.replace("density = \"2700 kg/m^3\"\n", "");
+        }
         format!("{off}{}\n{balls}\n{}\n", keys.join("\n"), tables.join("\n"))
     }
 
@@ -176,7 +194,8 @@ fn run(scene: &str, ranks: usize, settings: &[&str]) -> (tempfile::TempDir, serd
 
 #[test]
 fn a_scene_holds_what_it_asks_for_and_no_more() {
-    let solids = ["deviatoric_stress", "damage", "activation_threshold", "peak_pressure", "smoothing_length"];
+    let solids =
+        ["deviatoric_stress", "damage", "activation_threshold", "distention", "peak_pressure", "smoothing_length"];
     println!(
         "{:<22} {:>7} {:>15} {:>12} {:>12} {:>16}",
         "scene", "columns", "bytes/particle", "pair record", "ghost sends", "us per particle"

@@ -231,6 +231,65 @@ picture = false
     );
 }
 
+/// Pores that crush and break what is around them: P-alpha with elastic pores on one side, epsilon-alpha on the other.
+#[test]
+fn impact_of_porous_bodies() {
+    let (dir, _) = compare_scene(
+        "pores",
+        r#"
+title = "Two porous balls"
+
+[[body]]
+name = "target"
+shape = { sphere = { radius = "1 km" } }
+material = "basalt"
+particles = 1200
+
+[[body]]
+name = "projectile"
+shape = { sphere = { radius = "400 m" } }
+material = "ice"
+distention = 1.5
+
+[impact]
+speed = "3 km/s"
+angle = "45 deg"
+
+[material.basalt.strength]
+[material.basalt.fracture]
+[material.basalt.porosity.p_alpha]
+quadratic = true
+elastic = { c_e = "2 km/s", c_0 = "3145 m/s" }
+
+[material.ice.strength]
+[material.ice.fracture]
+[material.ice.porosity]
+epsilon_alpha = { kappa = 0.98, P_e = "1 MPa", alpha_X = 1.1 }
+
+[numerics]
+corrected_gradient = true
+smoothing_length = { follows = "density" }
+
+[run]
+until = "1.5 s"
+
+[output]
+picture = false
+"#,
+    );
+    // Both crush, and not wholly: pores whose state were lost at a restart would show.
+    let file = hdf5::File::open(dir.join("run/checkpoint.h5")).expect("a checkpoint");
+    let column = |name: &str| file.dataset(&format!("columns/{name}")).expect("a column");
+    let ids = column("id").read_raw::<u64>().expect("ids");
+    let distention = column("distention").read_raw::<f64>().expect("numbers");
+    for (body, initial) in [(0, 3.0), (1, 1.5)] {
+        let of_body = || ids.iter().zip(&distention).filter(move |(id, _)| **id >> 48 == body).map(|(_, alpha)| *alpha);
+        let between = of_body().filter(|alpha| (1.001..0.999 * initial).contains(alpha)).count();
+        println!("body {body}: {between} of {} particles are partly crushed", of_body().count());
+        assert!(between > 20, "body {body}: {between}");
+    }
+}
+
 /// Gas that expands: smoothing lengths grow several times over.
 #[test]
 fn gas_that_expands() {

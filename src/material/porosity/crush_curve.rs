@@ -139,6 +139,8 @@ pub struct CrushCurve {
     /// Pa.
     p_e: f64,
     p_s: f64,
+    /// As given: what the form makes of P_e may be off in the last digits, and no pore may give way without load.
+    alpha_e: f64,
     form: Form,
 }
 
@@ -172,22 +174,21 @@ struct Point {
 impl CrushCurve {
     /// The curve of a body; `scale`: its alpha_0 - 1 over that of its material; `alpha_e`: where its crushing begins.
     pub fn new(table: &CurveTable, scale: f64, alpha_e: f64) -> Self {
-        match table {
-            CurveTable::Quadratic(table) => {
-                Self { p_e: table.p_e.0, p_s: table.p_s.0, form: Form::Square { height: alpha_e - 1.0 } }
-            }
+        let height = alpha_e - 1.0;
+        let (p_e, p_s, form) = match table {
+            CurveTable::Quadratic(table) => (table.p_e.0, table.p_s.0, Form::Square { height }),
             CurveTable::TwoSlope(table) => {
                 let second = (table.alpha_t.0 - 1.0) * scale;
-                let (heights, powers) = ([second, alpha_e - 1.0 - second], [table.n_1.0, table.n_2.0]);
-                Self { p_e: table.p_e.0, p_s: table.p_s.0, form: Form::Powers { p_t: table.p_t.0, heights, powers } }
+                let (heights, powers) = ([second, height - second], [table.n_1.0, table.n_2.0]);
+                (table.p_e.0, table.p_s.0, Form::Powers { p_t: table.p_t.0, heights, powers })
             }
             CurveTable::Measured(table) => {
-                let first = table.distention[0].0 - 1.0;
-                let points = monotone(table);
+                let scale = height / (table.distention[0].0 - 1.0);
                 let p_s = table.pressure[table.pressure.len() - 1].0;
-                Self { p_e: table.pressure[0].0, p_s, form: Form::Measured { scale: (alpha_e - 1.0) / first, points } }
+                (table.pressure[0].0, p_s, Form::Measured { scale, points: monotone(table) })
             }
-        }
+        };
+        Self { p_e, p_s, alpha_e, form }
     }
 
     /// P_e, Pa.
@@ -200,13 +201,16 @@ impl CrushCurve {
         self.p_s
     }
 
-    /// alpha and d alpha / dP, 1/Pa; constant below P_e and above P_s.
+    /// alpha and d alpha / dP, 1/Pa; constant up to P_e and from P_s on.
     pub fn at(&self, p: f64) -> (f64, f64) {
         if p >= self.p_s {
             return (1.0, 0.0);
         }
-        let (height, slope) = self.above_one(if p < self.p_e { self.p_e } else { p });
-        (1.0 + height, if p < self.p_e { 0.0 } else { slope })
+        if p <= self.p_e {
+            return (self.alpha_e, 0.0);
+        }
+        let (height, slope) = self.above_one(p);
+        (1.0 + height, slope)
     }
 
     /// alpha - 1 and its slope between P_e and P_s.
@@ -339,6 +343,24 @@ mod tests {
                     assert!((curve.at(p).1 / slope - 1.0).abs() < 1e-5, "{table:?} {p:e}");
                 }
                 assert!((curve.at(curve.p_e).0 - 1.0 - 2.0 * scale).abs() < 1e-14);
+            }
+        }
+    }
+
+    /// Up to P_e a curve is alpha_e to the last bit: that of pumice, made of its two slopes, would be 4.4e-15 below.
+    #[test]
+    fn curves_begin_at_alpha_e_exactly() {
+        let measured = MeasuredTable {
+            pressure: [1e6, 5e6, 2e8].map(Quantity).to_vec(),
+            distention: [4.64, 2.2, 1.0].map(Quantity).to_vec(),
+        };
+        let quadratic = QuadraticTable { p_e: Quantity(3.9e7), p_s: Quantity(8.8e7) };
+        let tables =
+            [CurveTable::Quadratic(&quadratic), CurveTable::TwoSlope(&pumice()), CurveTable::Measured(&measured)];
+        for table in &tables {
+            for alpha_e in [1.05, 1.275, 3.0, 4.64] {
+                let curve = CrushCurve::new(table, (alpha_e - 1.0) / 3.64, alpha_e);
+                assert_eq!([-1e9, 0.0, curve.p_e].map(|p| curve.at(p)), [(alpha_e, 0.0); 3], "{table:?}");
             }
         }
     }

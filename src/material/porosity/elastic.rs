@@ -76,15 +76,16 @@ impl Elastic {
 
     /// Pressure at a distention on the line of a body that has `unloaded` without load, Pa.
     pub fn pressure(&self, alpha: f64, unloaded: f64) -> f64 {
-        self.modulus / self.steepness * (self.antiderivative(alpha - 1.0) - self.antiderivative(unloaded - 1.0))
+        self.level(alpha) - self.level(unloaded)
     }
 
-    /// F s / K_0.
-    fn antiderivative(&self, x: f64) -> f64 {
-        let s = self.steepness;
+    /// F at a distention, Pa.
+    pub fn level(&self, alpha: f64) -> f64 {
+        let (x, s) = (alpha - 1.0, self.steepness);
         let e = 0.5 * s * s / ((s - 2.0) * (s - 2.0));
         let c = (1.0 - s) * (1.0 - s) / (s - 2.0);
-        0.5 * libm::log(x) - e * libm::log(2.0 + s * x) + (e - 0.5) * libm::log(1.0 + x) - c / (1.0 + x)
+        let sum = 0.5 * libm::log(x) - e * libm::log(2.0 + s * x) + (e - 0.5) * libm::log(alpha) - c / alpha;
+        self.modulus / s * sum
     }
 
     /// d alpha / dP, 1/Pa.
