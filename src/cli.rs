@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::Parser;
 
+use crate::campaigns::study::settings;
+
 const EXAMPLES: &str = "\
 Examples:
   mpirun -n 2 sph-mpi inputs/qd_star.toml
@@ -16,6 +18,10 @@ Examples:
       the same scene with other values, into another directory
   sph-mpi inputs/impact.toml --set material.basalt.fracture=false
       without one of its effects
+  mpirun -n 2 sph-mpi inputs/studies/sod.toml
+      a study: error against cost over settings and resolutions of another scene
+  sph-mpi inputs/exact/sod.toml --accuracy 2%
+      the scene with the cheapest setting that a stored study of it knows for that error
   mpirun -n 4 sph-mpi inputs/impact.toml --resume
       go on from the newest whole checkpoint, on any number of ranks
 
@@ -49,6 +55,22 @@ pub struct Args {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: Option<u16>,
 
+    /// Choose the setting that a study of the scene found to be the cheapest with this error, e.g. 1%.
+    #[arg(long, value_name = "ERROR", value_parser = accuracy)]
+    pub accuracy: Option<f64>,
+
+    /// Of a study: run point N alone, as a task of a job array.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub task: Option<u32>,
+
+    /// Of a study: write tables and figures from the points that are there, and run none.
+    #[arg(long, conflicts_with_all = ["task", "check", "resume"])]
+    pub collect: bool,
+
+    /// Of a study: list its points, one a line, and end.
+    #[arg(long, conflicts_with_all = ["task", "check", "resume", "collect"])]
+    pub points: bool,
+
     /// Ranks that --check estimates for [default: the ranks it runs on].
     #[arg(long, value_name = "N", requires = "check", value_parser = clap::value_parser!(u32).range(1..))]
     pub ranks: Option<u32>,
@@ -69,6 +91,10 @@ pub struct Args {
 fn positive(text: &str) -> Result<f64, String> {
     let value: f64 = text.parse().map_err(|_| "not a number".to_string())?;
     if value > 0.0 && value.is_finite() { Ok(value) } else { Err("more than 0 is allowed".into()) }
+}
+
+fn accuracy(text: &str) -> Result<f64, String> {
+    settings::accuracy(text).map_err(|what| format!("{what}; allowed: {}", settings::ACCURACIES))
 }
 
 #[cfg(test)]
@@ -93,6 +119,7 @@ mod tests {
         assert_eq!(parse("sph-mpi a.toml --check --ranks 8").unwrap().ranks, Some(8));
         let network = parse("sph-mpi a.toml --check --latency 2e-6 --bandwidth 1e10").unwrap();
         assert_eq!((network.latency, network.bandwidth), (Some(2e-6), Some(1e10)));
+        assert_eq!(parse("sph-mpi a.toml --accuracy 1%").unwrap().accuracy, Some(0.01));
         for bad in [
             "sph-mpi",
             "sph-mpi a --threads 0",
@@ -102,6 +129,10 @@ mod tests {
             "sph-mpi a --check --latency 1e-6",
             "sph-mpi a --check --latency 1e-6 --bandwidth 0",
             "sph-mpi a b",
+            "sph-mpi a --accuracy good",
+            "sph-mpi a --accuracy 0%",
+            "sph-mpi a --task 0",
+            "sph-mpi a --task 1 --collect",
         ] {
             assert!(parse(bad).is_err(), "{bad}");
         }

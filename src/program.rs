@@ -1,14 +1,18 @@
 //! The program: arguments, one scene for all ranks, the run it asks for, and one place that prints errors.
 
+use std::path::PathBuf;
+
 use clap::Parser;
 
+use crate::campaigns::study::{self, Part, Sources, Study, points, stored};
 use crate::campaigns::{cost, search};
 use crate::cli::Args;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
+use crate::output::summary::Accuracy;
 use crate::output::{agree, collective};
 use crate::scene::{self, Scene};
-use crate::simulation::{self, Ended, Options, log, resources, run::default_directory, signals};
+use crate::simulation::{self, Ended, Options, log, resources, signals};
 use crate::step::workers;
 
 /// Exit codes beside 0.
@@ -39,17 +43,22 @@ pub fn main() -> i32 {
     code
 }
 
+/// What the file asks for.
+enum Task {
+    /// With the study's choice, where an accuracy was asked for.
+    Scene(Box<Scene>, Option<Accuracy>),
+    Study(Box<Study>),
+}
+
 fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
     log::start(comm.rank(), args.quiet);
-    let scene = match read_scene(args, comm) {
-        Ok(scene) => scene,
+    resources::hold_memory();
+    let task = match read(args, comm) {
+        Ok(task) => task,
         Err(error) => return complain(&error, BAD_INPUT, comm),
     };
-    if args.check {
-        let ranks = args.ranks.unwrap_or(comm.size() as u32) as usize;
-        let network = args.latency.zip(args.bandwidth);
-        let started = agree(comm, workers::start_threads(1));
-        return match started.and_then(|()| cost::check(&scene, ranks, network, comm)) {
+    if args.check || args.points {
+        return match describe(args, &task, comm) {
             Ok(text) => {
                 if comm.is_root() {
                     print!("{text}");
@@ -60,16 +69,21 @@ fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
         };
     }
     let options = Options {
-        directory: args.out.clone().unwrap_or_else(|| default_directory(&scene)),
+        directory: args.out.clone().unwrap_or_else(|| usual_directory(args, &task)),
         resume: args.resume,
         resident_at_start,
+        accuracy: match &task {
+            Task::Scene(_, choice) => choice.clone(),
+            Task::Study(_) => None,
+        },
     };
     if let Err(error) = prepare(args, &options, comm) {
         return complain(&error, BAD_INPUT, comm);
     }
-    let ended = match &scene.threshold {
-        Some(_) => search::run(&scene, &options, comm),
-        None => simulation::run(&scene, &options, comm).map(|report| report.ended),
+    let ended = match &task {
+        Task::Scene(scene, _) if scene.threshold.is_some() => search::run(scene, &options, comm),
+        Task::Scene(scene, _) => simulation::run(scene, &options, comm).map(|report| report.ended),
+        Task::Study(study) => study::run(study, part(args), &options, comm),
     };
     match ended {
         Ok(Ended::Finished) => 0,
@@ -78,24 +92,84 @@ fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
     }
 }
 
-/// Rank 0 reads; all ranks get the same scene or the same error.
-fn read_scene(args: &Args, comm: &Comm) -> Result<Scene> {
+/// Rank 0 reads; all ranks get the same or the same error. A study's scenes are then read on each from the same texts.
+fn read(args: &Args, comm: &Comm) -> Result<Task> {
+    type Texts = (Option<(Scene, Option<Accuracy>)>, Option<Sources>);
+    let read = || -> Result<Texts> {
+        let refused =
+            |what: &str, allowed: &str| Err(Error::new(what).at(args.scene.display().to_string()).allowed(allowed));
+        if points::is_study(&args.scene) {
+            if args.accuracy.is_some() {
+                return refused("--accuracy of a study", "the scene that was studied");
+            }
+            return Ok((None, Some(points::read(&args.scene, &args.overrides)?)));
+        }
+        let scene = scene::read(&args.scene, &args.overrides)?;
+        if args.task.is_some() || args.collect || args.points {
+            return refused("a single scene has no points", "a file with a [study] table");
+        }
+        let Some(accuracy) = args.accuracy else { return Ok((Some((scene, None)), None)) };
+        let choice = stored::choose(&scene, accuracy)?;
+        Ok((Some((stored::apply(&scene, &choice)?, Some(choice))), None))
+    };
     let mut bytes = Vec::new();
     if comm.is_root() {
-        let read = scene::read(&args.scene, &args.overrides);
-        bytes = serde_json::to_vec(&read).map_err(|e| Error::new(e.to_string()))?;
+        bytes = serde_json::to_vec(&read()).map_err(|e| Error::new(e.to_string()))?;
     }
     comm.broadcast(&mut bytes);
-    let read: Result<Scene> = serde_json::from_slice(&bytes).map_err(|e| Error::new(e.to_string()))?;
-    read
+    let read: Result<Texts> = serde_json::from_slice(&bytes).map_err(|e| Error::new(e.to_string()))?;
+    match read? {
+        (Some((scene, choice)), _) => Ok(Task::Scene(Box::new(scene), choice)),
+        (None, Some(sources)) => Ok(Task::Study(Box::new(Study::new(&sources)?))),
+        (None, None) => Err(Error::new("nothing was read")),
+    }
+}
+
+/// What `--check` and `--points` say. Collective.
+fn describe(args: &Args, task: &Task, comm: &Comm) -> Result<String> {
+    let ranks = args.ranks.unwrap_or(comm.size() as u32) as usize;
+    let network = args.latency.zip(args.bandwidth);
+    agree(comm, workers::start_threads(1))?;
+    match task {
+        Task::Study(study) if args.points => Ok(study::check::list(study)),
+        Task::Study(study) => match args.task {
+            Some(number) => cost::check(&study.point(number as usize)?.scene, ranks, network, comm),
+            None => study::check::check(study, ranks, network, comm),
+        },
+        Task::Scene(scene, choice) => {
+            let chosen = choice.as_ref().map_or(String::new(), |choice| format!("{choice}\n\n"));
+            Ok(chosen + &cost::check(scene, ranks, network, comm)?)
+        }
+    }
+}
+
+fn part(args: &Args) -> Part {
+    match args.task {
+        Some(number) => Part::Task(number as usize),
+        None if args.collect => Part::Collect,
+        None => Part::All,
+    }
+}
+
+/// A study often has the name of its scene: its folder must not be that of the scene's runs.
+fn usual_directory(args: &Args, task: &Task) -> PathBuf {
+    let directory = simulation::directory::default_directory(&args.scene);
+    match task {
+        Task::Scene(..) => directory,
+        Task::Study(_) => {
+            directory.with_file_name(format!("{}_study", directory.file_name().unwrap_or_default().to_string_lossy()))
+        }
+    }
 }
 
 /// Directory, threads, signals.
 fn prepare(args: &Args, options: &Options, comm: &Comm) -> Result<()> {
-    if options.resume {
+    // Tasks of a study write side by side, and begin whenever they are begun.
+    let shared = args.task.is_some() || args.collect;
+    if options.resume && !shared {
         simulation::directory::require_checkpoint(&options.directory, comm)?;
     }
-    simulation::directory::prepare(&options.directory, options.resume, comm)?;
+    simulation::directory::prepare(&options.directory, options.resume || shared, comm)?;
     let cores = workers::usable_cores();
     let threads = match args.threads {
         Some(threads) => threads as usize,
@@ -106,7 +180,6 @@ fn prepare(args: &Args, options: &Options, comm: &Comm) -> Result<()> {
             "{threads} threads on {cores} usable cores: the launcher may have pinned this rank (--bind-to none)"
         );
     }
-    simulation::resources::give_freed_memory_back();
     agree(comm, workers::start_threads(threads))?;
     signals::listen();
     Ok(())

@@ -266,6 +266,11 @@ fn read(text: &str, wanted: Dimension) -> Result<f64> {
     }
 }
 
+/// The number of SI units that a text with any unit stands for.
+pub fn si(text: &str) -> Result<f64> {
+    parse(text).map(|(value, _)| value).map_err(|why| Error::new(format!("\"{text}\" {why}")))
+}
+
 /// Prints `value` so that it reads back to the same bits.
 fn write(f: &mut fmt::Formatter<'_>, value: f64, dimension: Dimension) -> fmt::Result {
     let size = value.abs();

@@ -14,7 +14,7 @@ const STOPPED: i32 = 75;
 /// Runs the scene with `args` on two ranks and checks that both end with the code for bad input and that there is one
 /// error, with all of `says` in it.
 #[track_caller]
-fn assert_refused(scene: &Path, args: &[&str], says: &[&str]) {
+pub fn assert_refused(scene: &Path, args: &[&str], says: &[&str]) {
     let dir = tempfile::tempdir().expect("a temporary directory");
     // Each rank leaves its own exit code: of a job, mpirun only reports the first.
     let keep_code = r#""$0" "$@"; echo $? > "$CODES/$OMPI_COMM_WORLD_RANK""#;

@@ -230,7 +230,7 @@ fn unsuitable_scenes_are_refused() {
         ("noh", &["gas.flow={ radial = 1 }"], "flow = { radial ="),
         ("flyer_basalt", &["material.basalt.strength={}"], "materials without strength"),
         ("flyer_basalt", &["flyer.velocity=[-1, 0, 0]"], "to run into the upper one"),
-        ("piston_aluminium", &["layer.0.motion=fixed"], "a prescribed velocity along x"),
+        ("piston_aluminium", &["layer.0.motion=fixed"], "a prescribed velocity along one axis"),
         ("spin", &["sphere.spin=[0, 0, 0]"], "a body with a spin"),
     ];
     for (name, settings, says) in needs {

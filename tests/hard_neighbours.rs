@@ -296,8 +296,14 @@ fn rock_beside_spray() {
                         let viscosity = (0..2).map(|body| settings.packer.viscosity(body)).collect();
                         let (terms, constants) = (settings.pair_loop.layout.terms, settings.constants.clone());
                         // The cap is 2 (h / eta)^3.
-                        let pack =
-                            PackSettings { terms, constants, viscosity, artificial_stress_factor: 0.0, eta: 0.01 };
+                        let pack = PackSettings {
+                            terms,
+                            constants,
+                            viscosity,
+                            porous: vec![false; 2],
+                            artificial_stress_factor: 0.0,
+                            eta: 0.01,
+                        };
                         settings.packer = Packer::new(&columns.registry, settings.core, pack);
                     }
                 });

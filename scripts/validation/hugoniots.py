@@ -9,7 +9,9 @@ from scenes import slab
 TITLE = "Hugoniots"
 
 SPEEDS = [1, 2, 4, 6, 8]
-SPACING = 0.0025
+SPACING = {2: 0.0025, 3: 0.004}
+"""Of a dimension, m."""
+BOUND = {2: 0.015, 3: 0.02}
 DATA = {
     # U_s = c + s u_p, km/s: measured, not of this equation of state.
     "aluminium": (5.386, 1.339, "Steinberg 1996, as carried in Spheral"),
@@ -54,36 +56,40 @@ def shock(material, particle_speed):
     return pressure(density, energy), particle_speed / (1 - rest / density)
 
 
-def run(material, speed):
+def run(material, speed, dimension):
     _, wave = shock(material, 500 * speed)
     until = 0.3 / wave
-    settings = slab({"flyer": (-0.4, 0.0, 1000 * speed), "target": (0.0, 0.4, None)}, SPACING, 2)
-    return Run(f"hugoniot_{material}/{speed}", f"exact/flyer_{material}.toml", settings + [f"run.until={until:.6g}"])
+    settings = slab({"flyer": (-0.4, 0.0, 1000 * speed), "target": (0.0, 0.4, None)}, SPACING[dimension], dimension)
+    return Run(f"hugoniot_{material}_{dimension}d/{speed}", f"exact/flyer_{material}.toml", settings + [f"run.until={until:.6g}", "output.picture=false"])
 
 
 def runs():
-    return [run(material, speed) for material in DATA for speed in SPEEDS]
+    return [run(material, speed, dimension) for material in DATA for speed in SPEEDS for dimension in SPACING]
 
 
 def write(found):
     lines, failures = [], []
     for material, (c, s, _) in DATA.items():
         for speed in SPEEDS:
-            errors = found[run(material, speed).name]["errors"]
             pressure, wave = shock(material, 500 * speed)
             measured = c + s * 0.5 * speed
-            bulk = errors["plateau_2_stress"], errors["front_2_speed"]
-            if abs(bulk[0]) > 0.015 or abs(bulk[1]) > 0.015:
-                failures.append(f"{material} at {speed} km/s: pressure {bulk[0]:.4f}, shock {bulk[1]:.4f} (allowed: 0.015)")
-            ours = wave * (1 + bulk[1])
+            ours = {}
+            for dimension, bound in BOUND.items():
+                errors = found[run(material, speed, dimension).name]["errors"]
+                ours[dimension] = bulk = errors["plateau_2_stress"], errors["front_2_speed"]
+                if max(map(abs, bulk)) > bound:
+                    failures.append(f"{material} at {speed} km/s, {dimension}D: pressure {bulk[0]:.4f}, shock {bulk[1]:.4f} (allowed: {bound})")
+            of_pressure, of_speed = ([page.percent(bulk[k]) for bulk in ours.values()] for k in (0, 1))
+            finest = wave * (1 + ours[2][1])
             lines.append(
-                [material, speed, f"{pressure / 1e9:.3f}", f"{pressure / 1e9 * (1 + bulk[0]):.3f}", page.percent(bulk[0]), f"{wave:.0f}", f"{ours:.0f}", page.percent(bulk[1]), f"{1000 * measured:.0f}", page.percent(ours / 1000 / measured - 1)]
+                [material, speed, f"{pressure / 1e9:.3f}", f"{pressure / 1e9 * (1 + ours[2][0]):.3f}", *of_pressure, f"{wave:.0f}", f"{finest:.0f}", *of_speed,
+                 f"{1000 * measured:.0f}", page.percent(finest / 1000 / measured - 1)]
             )
-    head = ["material", "impact km/s", "P exact GPa", "ours", "error", "U_s exact m/s", "ours", "error", "U_s of the fit to data", "ours to data"]
+    head = ["material", "impact km/s", "P exact GPa", "ours, 2D", "error 2D", "error 3D", "U_s exact m/s", "ours, 2D", "error 2D", "error 3D", "U_s of the fit to data", "ours to data"]
     sources = "; ".join(f"{material}: U_s = {c} + {s} u_p km/s, {source}" for material, (c, s, source) in DATA.items())
-    text = f"""Like on like, 2D, spacing {1000 * SPACING:g} mm, until the shock has passed 30 cm. Exact are the jump conditions with the
-scene's equation of state, solved here once more; tolerance 1.5 per cent: the shock starts about a spacing late, and sums over
-a squeezed lattice are off by about one per cent.
+    text = f"""Like on like, until the shock has passed 30 cm, spacing {1000 * SPACING[2]:g} mm in 2D and {1000 * SPACING[3]:g} mm in 3D. Exact are the
+jump conditions with the scene's equation of state, solved here once more. Tolerance {page.percent(BOUND[2])} in 2D and {page.percent(BOUND[3])} at the wider
+spacing in 3D: the shock starts about a spacing late, and sums over a squeezed lattice are off by about one per cent.
 
 {page.table(head, lines)}
 

@@ -7,6 +7,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 FOLDER = pathlib.Path(__file__).resolve().parents[2] / "tests" / "validation"
 PAGE = FOLDER / "README.md"
@@ -15,6 +16,9 @@ HEAD = """# Validation
 
 Written by `scripts/validate`: each block below by the file of its name in `scripts/validation/`. Every figure and number
 follows from runs of scenes of `inputs/exact/`; nothing is edited by hand. `tests/exact.rs` runs a small version of each case.
+
+Other pages: [fracture](fracture.md) (`scripts/validate_fracture`), [disruption thresholds](q_star.md) (`scripts/q_star`),
+[speed](bench.md) (`scripts/bench`), [scaling and predictions](cluster.md) (`scripts/bench_cluster`).
 """
 
 
@@ -50,21 +54,26 @@ def order(spacings, errors):
     return sum((x - mean[0]) * (y - mean[1]) for x, y in points) / sum((x - mean[0]) ** 2 for x, _ in points)
 
 
-def plot(name, panels, x_label, y_label="error", columns=3, joined=True):
-    """One figure of several log-log panels: {title: {label: [(x, y), ...]}}."""
-    rows = math.ceil(len(panels) / columns)
-    figure, axes = plt.subplots(rows, columns, figsize=(4.2 * columns, 3.4 * rows), squeeze=False)
+def plot(name, panels, x_label, y_label="error", x_base=10):
+    """One figure of several log-log panels: {title: {label: [(x, y), ...]}}. A case in 2D is dashed, in the colour of its twin."""
+    figure, axes = plt.subplots(1, len(panels), figsize=(4.6 * len(panels), 5.4), squeeze=False)
     for axis, (title, series) in zip(axes.flat, panels.items()):
+        cases = list(dict.fromkeys(label.removesuffix(", 2D").removesuffix(", 3D") for label in series))
         for label, points in series.items():
+            number = cases.index(label.removesuffix(", 2D").removesuffix(", 3D"))
             points = sorted((x, abs(y)) for x, y in points if y)
-            axis.loglog(*zip(*points), "o-" if joined else "o", label=label, markersize=4)
-        axis.set_title(title, fontsize=10)
-        axis.set_xlabel(x_label)
-        axis.set_ylabel(y_label)
+            style = dict(color=f"C{number % 10}", marker="osv^D"[number // 10 + number % 3], linestyle="--" if label.endswith(", 2D") else "-")
+            axis.loglog(*zip(*points), label=label, markersize=4, **style)
+        axis.set_xscale("log", base=x_base)
+        axis.set(title=title, xlabel=x_label, ylabel=y_label)
+        for ruler in [axis.yaxis] + [axis.xaxis] * (x_base == 10):
+            ruler.set_major_locator(LogLocator(subs=(1, 2, 5)))
+            ruler.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+            ruler.set_minor_formatter(NullFormatter())
+        if x_base == 2:
+            axis.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}" if value >= 1 else f"1/{1 / value:g}"))
         axis.grid(True, which="both", alpha=0.25)
-        axis.legend(fontsize=7)
-    for axis in list(axes.flat)[len(panels) :]:
-        axis.remove()
+        axis.legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2)
     figure.tight_layout()
     figure.savefig(FOLDER / f"{name}.png", dpi=80)
     plt.close(figure)

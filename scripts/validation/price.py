@@ -101,7 +101,7 @@ def write(found):
             best = min(costs, key=costs.get)
             cheapest.append(f"{page.percent(error)}: {best}, {costs[best]:.2g} core-s" if costs[best] < math.inf else f"{page.percent(error)}: none of these")
         parts.append(f"**{title}**\n\n{page.table(head, lines)}\n\nCheapest for an error of " + "; ".join(cheapest) + ".")
-    page.plot("price", panels, "core-seconds", columns=2)
+    page.plot("price", panels, "core-seconds")
     text = "\n\n".join(parts) + f"\n\n{NOTES}\n![Error against cost](price.png)"
     return text, []
 

@@ -6,6 +6,7 @@ use toml::{Table, Value};
 
 use super::model::{self, Load, Step};
 use super::pace::{self, Pace};
+use super::text::{aligned, duration, number, size, words};
 use crate::domain::comm::Comm;
 use crate::error::Result;
 use crate::kernel::SUPPORT;
@@ -186,27 +187,81 @@ fn one_step(alone: &Step, shared: &Step, (pace, life): (&Pace, f64), ranks: usiz
     format!("\none step on {ranks} rank{s} of one thread, none of them sharing a core\n{text}")
 }
 
+/// What one run of a scene will take.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Price {
+    pub particles: u64,
+    pub steps: f64,
+    pub wall_seconds: f64,
+    pub core_seconds: f64,
+    /// Directed, inside the support.
+    pub pair_interactions: f64,
+}
+
+/// Predicts a run on `ranks` ranks of one thread each, by a pace that was measured with the same effects. Collective.
+pub fn predict(scene: &Scene, ranks: usize, pace: &Pace, comm: &Comm) -> Result<Price> {
+    let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
+    let footprint = Footprint::new(scene, &plan, ranks);
+    let life = list_life(scene, &plan).unwrap_or(pace.life);
+    let cost = Step::new(&pace.machine, &load(scene, &plan, &footprint, (ranks, life)));
+    Ok(Run::new(scene, &plan, &footprint, pace, (&cost, ranks)).price)
+}
+
+/// The pace of a scene. Collective.
+pub fn pace(scene: &Scene, ranks: usize, network: Option<(f64, f64)>, comm: &Comm) -> Result<Pace> {
+    let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
+    pace::measure(scene, &plan.constants, (Footprint::new(scene, &plan, ranks).owned, network), comm)
+}
+
+/// How a run will go, as far as it can be known.
+struct Run<'a> {
+    first: f64,
+    limiting: &'a str,
+    dt: f64,
+    end: f64,
+    why: String,
+    files: String,
+    bytes: f64,
+    writing: f64,
+    price: Price,
+}
+
+impl<'a> Run<'a> {
+    fn new(scene: &'a Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, (cost, ranks): (&Step, usize)) -> Self {
+        let (first, limiting) = step(scene, plan, 0.0);
+        // Shocks of an impact close in with about its speed, in some particle or other until the end.
+        let dt = scene.impact.as_ref().map_or(first, |impact| step(scene, plan, impact.speed).0);
+        let (end, why) = end(scene);
+        let steps = (end / dt).ceil().min(scene.run.steps.map_or(f64::INFINITY, |most| most as f64));
+        let (files, bytes) = output(scene, plan, footprint.particles, (end.min(steps * dt), steps * cost.wall()));
+        let writing = bytes / pace.machine.files;
+        let inside = libm::pow(1.0 + scene.numerics.skin, -(scene.dimension as f64));
+        let price = Price {
+            particles: footprint.particles,
+            steps,
+            wall_seconds: steps * cost.wall() + writing,
+            core_seconds: steps * ranks as f64 * cost.work(),
+            pair_interactions: steps * footprint.particles as f64 * footprint.neighbours * inside,
+        };
+        Self { first, limiting, dt, end, why, files, bytes, writing, price }
+    }
+}
+
 fn time(scene: &Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, (cost, ranks): (&Step, usize)) -> String {
-    let (first, limiting) = step(scene, plan, 0.0);
-    // Shocks of an impact close in with about its speed, in some particle or other until the end.
-    let dt = scene.impact.as_ref().map_or(first, |impact| step(scene, plan, impact.speed).0);
-    let (end, why) = end(scene);
-    let steps = (end / dt).ceil().min(scene.run.steps.map_or(f64::INFINITY, |most| most as f64));
+    let run = Run::new(scene, plan, footprint, pace, (cost, ranks));
     let mut text = String::new();
     let mut line = |what: &str, value: String| {
         let _ = writeln!(text, "  {what:<34}{value}");
     };
-    line("first step", format!("{} s, by the CFL condition in body {limiting}", number(first)));
-    line("end", format!("{} s, {why}", number(end)));
+    line("first step", format!("{} s, by the CFL condition in body {}", number(run.first), run.limiting));
+    line("end", format!("{} s, {}", number(run.end), run.why));
     let limit = if scene.impact.is_some() { "the CFL condition at the speed of impact" } else { "the first" };
-    line("steps", format!("{steps:.0}, were all of {} s as {limit} allows", number(dt)));
+    line("steps", format!("{:.0}, were all of {} s as {limit} allows", run.price.steps, number(run.dt)));
     line("updates per core-second", format!("{:.2e}", footprint.owned / cost.work()));
-    let (files, bytes) = output(scene, plan, footprint.particles, (end.min(steps * dt), steps * cost.wall()));
-    let writing = bytes / pace.machine.files;
     let rate = format!("{} per second, {}", size(pace.machine.files), pace.files_by);
-    line("output", format!("{files}: {}, {} at {rate}", size(bytes), duration(writing)));
+    line("output", format!("{}: {}, {} at {rate}", run.files, size(run.bytes), duration(run.writing)));
     let price = |runs: f64| {
-        let (wall, core) = (runs * (steps * cost.wall() + writing), runs * steps * ranks as f64 * cost.work());
+        let (wall, core) = (runs * run.price.wall_seconds, runs * run.price.core_seconds);
         format!("{} on {ranks} rank{}, {core:.3e} core-seconds", duration(wall), if ranks == 1 { "" } else { "s" })
     };
     if scene.threshold.is_some() {
@@ -263,49 +318,6 @@ fn end(scene: &Scene) -> (f64, String) {
         Some(most) if most < end => (most, "run.max_time".to_string()),
         _ => (end, why),
     }
-}
-
-fn words<const N: usize>(cells: [&str; N]) -> Vec<String> {
-    cells.map(str::to_string).to_vec()
-}
-
-/// Rows with their cells below each other.
-fn aligned(rows: &[Vec<String>]) -> String {
-    let columns = rows.first().map_or(0, Vec::len);
-    let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..columns).map(width).collect();
-    let mut text = String::new();
-    for row in rows {
-        let line: String = row.iter().zip(&widths).map(|(cell, width)| format!("  {cell:<width$}")).collect();
-        let _ = writeln!(text, "{}", line.trim_end());
-    }
-    text
-}
-
-/// Four digits.
-fn number(x: f64) -> String {
-    if x == 0.0 || (1e-2..1e5).contains(&x.abs()) {
-        let magnitude = if x == 0.0 { 0 } else { libm::floor(libm::log10(x.abs())) as i32 };
-        format!("{x:.*}", (3 - magnitude).max(0) as usize)
-    } else {
-        format!("{x:.3e}")
-    }
-}
-
-fn size(bytes: f64) -> String {
-    scaled(bytes, &[(1e12, "TB"), (1e9, "GB"), (1e6, "MB"), (1e3, "kB"), (1.0, "bytes")])
-}
-
-fn duration(seconds: f64) -> String {
-    scaled(seconds, &[(86400.0, "days"), (3600.0, "h"), (60.0, "min"), (1.0, "s")])
-}
-
-/// In the largest unit that leaves more than one and a half of it, or in the last.
-fn scaled(x: f64, units: &[(f64, &str)]) -> String {
-    let last = units.len() - 1;
-    let (unit, name) = units[units.iter().position(|(unit, _)| x > 1.5 * unit).unwrap_or(last)];
-    let digits = if x < 10.0 * unit { 1 } else { 0 };
-    format!("{:.digits$} {name}", x / unit)
 }
 
 #[cfg(test)]
@@ -369,15 +381,5 @@ mod tests {
         let crossing = 1e5 / sound;
         let (end, _) = end(&scene);
         assert!(end > 4.0 * crossing && end < 4.0 * crossing + 2.0 * 4e4 / 5e3, "{end} {crossing}");
-    }
-
-    #[test]
-    fn numbers_are_short() {
-        assert_eq!(
-            [0.0, 0.0675, 2.5, 1236.0, 20012.0, 1.5e-3].map(number),
-            ["0.000", "0.06750", "2.500", "1236", "20012", "1.500e-3"]
-        );
-        assert_eq!([900.0, 2500.0, 3.2e7, 5e13].map(size), ["900 bytes", "2.5 kB", "32 MB", "50 TB"]);
-        assert_eq!([0.25, 80.0, 100.0, 7200.0, 1e6].map(duration), ["0.2 s", "80 s", "1.7 min", "2.0 h", "12 days"]);
     }
 }

@@ -7,3 +7,5 @@ pub mod model;
 pub mod pace;
 pub mod record;
 pub mod search;
+pub mod study;
+mod text;

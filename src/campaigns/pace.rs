@@ -87,22 +87,18 @@ fn measure_in<const D: usize>(
     let settings = StepSettings { periods: Periods::OPEN, motions: None, ..plan.settings(scene) };
     let mut stepper = Stepper::<D>::new(&alone, columns, settings);
     let told = |failure: Failure| failure.error(|body| &scene.bodies[body].name);
-    let mut best = [f64::INFINITY; PARTS.len()];
-    let (mut phases, mut cpu) = (Phases::default(), resources::cpu_seconds());
-    let mut note = |now: &Phases| {
-        let spent = resources::cpu_seconds() - std::mem::replace(&mut cpu, resources::cpu_seconds());
-        keep_shortest(&mut best, &std::mem::replace(&mut phases, now.clone()), now, spent);
-    };
+    let mut times = Times::default();
     let mut dt = stepper.start().map_err(told)?.dt;
-    note(&stepper.phases);
+    // What comes once, as memory that is touched for the first time, does not count.
+    times.leave_out(&stepper.phases);
     for _ in 0..count {
         dt = stepper.step(dt, 0).map_err(told)?.dt;
         stepper.totals();
-        note(&stepper.phases);
+        times.note(&stepper.phases);
     }
     let (entries, _) = stepper.neighbourhood.list_size();
     let owned = particles as f64;
-    let mut sums = best.map(|seconds| (1e9 * seconds) as i64);
+    let mut sums = times.of_parts().map(|seconds| (1e9 * seconds) as i64);
     comm.all_sum(&mut sums);
     let [pairs, update, lists, ordering, totals] = sums.map(|sum| 1e-9 * sum as f64 / comm.size() as f64);
     let (network, network_by) = match (network, comm.network()) {
@@ -133,16 +129,40 @@ fn measure_in<const D: usize>(
     })
 }
 
-/// Keeps the shortest time of each part, s: what disturbs a step only makes it longer. Phases are wall time, and share out the
-/// processor time that was `spent`, where others had the core meanwhile. What a step did not have, such as lists, counts for
-/// nothing.
-fn keep_shortest(best: &mut [f64; PARTS.len()], before: &Phases, after: &Phases, spent: f64) {
-    let scale = (spent / (after.total() - before.total()).max(1e-9)).min(1.0);
-    for (best, part) in best.iter_mut().zip(PARTS) {
-        let seconds = |phase: &Phase| scale * (after.seconds[*phase as usize] - before.seconds[*phase as usize]);
-        if part.iter().all(|phase| seconds(phase) > 0.0) {
-            *best = best.min(part.iter().map(seconds).sum());
+/// Time of each part over all steps, s, and the steps that had it: lists are not built in each.
+#[derive(Default)]
+struct Times {
+    seconds: [f64; PARTS.len()],
+    steps: [usize; PARTS.len()],
+    phases: Phases,
+    /// Processor time at the last look, and wall time and processor time of the steps so far.
+    cpu: f64,
+    wall: f64,
+    spent: f64,
+}
+
+impl Times {
+    fn leave_out(&mut self, phases: &Phases) {
+        (self.phases, self.cpu) = (phases.clone(), resources::cpu_seconds());
+    }
+
+    fn note(&mut self, phases: &Phases) {
+        for (k, part) in PARTS.iter().enumerate() {
+            let seconds = |phase: &Phase| phases.seconds[*phase as usize] - self.phases.seconds[*phase as usize];
+            let all: f64 = part.iter().map(seconds).sum();
+            self.seconds[k] += all;
+            self.steps[k] += (all > 0.0) as usize;
         }
+        self.wall += phases.total() - self.phases.total();
+        self.spent += resources::cpu_seconds() - self.cpu;
+        self.leave_out(phases);
+    }
+
+    /// s of processor time of each part in a step that has it. Phases are wall time, and share out the processor time that was
+    /// spent, where others had the core meanwhile.
+    fn of_parts(&self) -> [f64; PARTS.len()] {
+        let share = (self.spent / self.wall.max(1e-9)).min(1.0);
+        std::array::from_fn(|k| share * self.seconds[k] / self.steps[k].max(1) as f64)
     }
 }
 

@@ -8,7 +8,11 @@ use super::ghosts::{Extent, Ghosts};
 use super::migration::migrate;
 use super::watch::Watch;
 use crate::math::Vec3;
-use crate::particles::{Column, Columns, Lattice, Local, ParticleId, Periods, Place, Site};
+use rayon::prelude::*;
+
+use crate::particles::chunk::CHUNK;
+use crate::particles::order::Reordering;
+use crate::particles::{Column, Columns, Lattice, Local, ParticleId, Periods, Place, Site, large_pages};
 
 /// The columns that a decomposition needs.
 #[derive(Debug, Clone, Copy)]
@@ -30,8 +34,10 @@ pub struct Decomposition<const D: usize> {
     pub migrated: usize,
     space: Space,
     handles: Handles,
-    sites: Vec<Site<D>>,
 }
+
+/// List radius of an owned particle, m.
+pub type ListRadius<'a> = &'a (dyn Fn(&Columns, usize) -> f64 + Sync);
 
 /// The cells of a run and the periods of its axes.
 #[derive(Debug, Clone, Copy)]
@@ -46,7 +52,7 @@ impl<const D: usize> Decomposition<D> {
     pub fn new(
         columns: &mut Columns,
         (handles, space, words): (Handles, Space, usize),
-        list_radius: &dyn Fn(&Columns, usize) -> f64,
+        list_radius: ListRadius,
         comm: &Comm,
     ) -> Self {
         let costs = vec![1; columns.len()];
@@ -60,7 +66,6 @@ impl<const D: usize> Decomposition<D> {
             migrated: 0,
             space,
             handles,
-            sites: Vec::new(),
         };
         new.rebuild_from_build_positions(columns, list_radius, comm);
         new
@@ -73,37 +78,43 @@ impl<const D: usize> Decomposition<D> {
 
     /// Brings every particle to its owner and finds the ghosts, all on `build_position`: after a restart, what stood before
     /// the checkpoint. Neighbour lists are to be made from `local` afterwards. Collective.
-    pub fn rebuild_from_build_positions(
-        &mut self,
-        columns: &mut Columns,
-        list_radius: &dyn Fn(&Columns, usize) -> f64,
-        comm: &Comm,
-    ) {
+    pub fn rebuild_from_build_positions(&mut self, columns: &mut Columns, list_radius: ListRadius, comm: &Comm) {
         self.migrated = migrate(columns, self.handles.build_position, &self.bisection, comm);
-        self.sort(columns, list_radius);
-        let extents = Extent::all(&self.sites, comm);
-        let (ghosts, incoming) = Ghosts::build(&self.sites, &extents, (self.ghosts.words, &self.space.periods), comm);
+        let places = self.sort(columns, list_radius);
+        let mut sites = large_pages::with_capacity(columns.len());
+        self.each(columns, list_radius, |site| site).collect_into_vec(&mut sites);
+        let extents = Extent::all(&sites, comm);
+        let (ghosts, incoming) = Ghosts::build(&sites, &extents, (self.ghosts.words, &self.space.periods), comm);
         self.ghosts = ghosts;
-        self.local.build(&self.space.lattice, &self.sites, &incoming);
-        self.watch = Watch::build(&self.space.lattice, &self.sites, &extents, comm);
-        self.sites = Vec::new();
+        self.watch = Watch::build_placed(&self.space.lattice, (&sites, &places), &extents, comm);
+        self.local.build_placed(&self.space.lattice, (&sites, places), &incoming);
     }
 
-    /// Brings columns and sites into canonical order.
-    fn sort(&mut self, columns: &mut Columns, list_radius: &dyn Fn(&Columns, usize) -> f64) {
+    /// Brings columns into canonical order and says where the particles stand in it.
+    fn sort(&self, columns: &mut Columns, list_radius: ListRadius) -> Vec<Place> {
+        let mut places = large_pages::with_capacity(columns.len());
+        let lattice = self.space.lattice;
+        self.each(columns, list_radius, move |site| lattice.place(&site)).collect_into_vec(&mut places);
+        let reordering = Reordering::sorting(&places);
+        columns.rearrange(&reordering);
+        reordering.apply(&mut places, 1);
+        places
+    }
+
+    /// Something made of each owned particle as the neighbour search sees it.
+    fn each<'a, T: Send>(
+        &self,
+        columns: &'a Columns,
+        list_radius: ListRadius<'a>,
+        make: impl Fn(Site<D>) -> T + Sync + Send + 'a,
+    ) -> impl IndexedParallelIterator<Item = T> + 'a {
+        let ids = self.handles.id;
         let positions = columns.numbers(self.handles.build_position.index).as_chunks::<D>().0;
-        let site = |i: usize| {
-            let id = columns.get(self.handles.id, i).0;
-            Site { id, position: positions[i], radius: list_radius(columns, i) }
+        let site = move |(i, position): (usize, &[f64; D])| Site {
+            id: columns.get(ids, i).0,
+            position: *position,
+            radius: list_radius(columns, i),
         };
-        let mut order: Vec<(Place, Site<D>, u32)> = (0..columns.len())
-            .map(|i| (site(i), i as u32))
-            .map(|(site, i)| (self.space.lattice.place(&site), site, i))
-            .collect();
-        order.sort_unstable_by_key(|(place, ..)| *place);
-        self.sites.reserve_exact(order.len());
-        self.sites.extend(order.iter().map(|(_, site, _)| *site));
-        let order: Vec<u32> = order.iter().map(|(.., i)| *i).collect();
-        columns.reorder(&order, &mut Vec::new());
+        positions.par_iter().with_min_len(CHUNK).enumerate().map(move |numbered| make(site(numbered)))
     }
 }

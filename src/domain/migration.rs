@@ -13,6 +13,10 @@ pub fn migrate<const D: usize>(
     bisection: &Bisection<D>,
     comm: &Comm,
 ) -> usize {
+    if bisection.parts() == 1 {
+        // Everyone is at home.
+        return 0;
+    }
     let mut stay = Vec::with_capacity(columns.len());
     let mut leave: Vec<(usize, u32)> = Vec::new();
     for (place, i) in columns.numbers(position.index).as_chunks::<D>().0.iter().zip(0..) {

@@ -28,7 +28,7 @@ use super::comm::{Comm, Exchange};
 use super::ghosts::Extent;
 use crate::particles::cells::{CellTable, MAX_LEVEL};
 use crate::particles::curve::{self, Block};
-use crate::particles::{Lattice, Site};
+use crate::particles::{Lattice, Place, Site};
 
 /// Levels watched above the widest occupied one.
 const ABOVE: u32 = 2;
@@ -149,9 +149,20 @@ struct Blocks {
 impl<const D: usize> Watch<D> {
     /// `owned`: in canonical order. Collective.
     pub fn build(lattice: &Lattice, owned: &[Site<D>], extents: &[Extent<D>], comm: &Comm) -> Self {
+        let places: Vec<Place> = owned.iter().map(|site| lattice.place(site)).collect();
+        Self::build_placed(lattice, (owned, &places), extents, comm)
+    }
+
+    /// The same where places are known. Collective.
+    pub fn build_placed(
+        lattice: &Lattice,
+        (owned, places): (&[Site<D>], &[Place]),
+        extents: &[Extent<D>],
+        comm: &Comm,
+    ) -> Self {
         let widest = widest_level(lattice, extents);
         let above = if lattice.is_periodic() { 0 } else { ABOVE };
-        let (cells, levels) = own_cells(lattice, owned, (widest + above).min(MAX_LEVEL));
+        let (cells, levels) = own_cells::<D>(places, (widest + above).min(MAX_LEVEL));
         let mut reach: Vec<f64> = Vec::with_capacity(cells.len());
         for (level, cells) in by_level(&cells, &levels) {
             let smallest = |c: &Cell| {
@@ -296,9 +307,9 @@ fn by_level<'a>(cells: &'a [Cell], levels: &'a [usize]) -> impl Iterator<Item = 
 }
 
 /// Cells of levels 0 to `top` with owned particles of that or a finer level; along the curve within a level.
-fn own_cells<const D: usize>(lattice: &Lattice, owned: &[Site<D>], top: u32) -> (Vec<Cell>, Vec<usize>) {
+fn own_cells<const D: usize>(places: &[Place], top: u32) -> (Vec<Cell>, Vec<usize>) {
     let (mut cells, mut levels) = (Vec::<Cell>::new(), vec![0]);
-    let mut particles = owned.iter().map(|site| lattice.place(site)).zip(0u32..).peekable();
+    let mut particles = places.iter().zip(0u32..).peekable();
     for level in 0..=top {
         let start = cells.len();
         let finer = if level == 0 { start..start } else { levels[level as usize - 1]..start };
@@ -307,9 +318,9 @@ fn own_cells<const D: usize>(lattice: &Lattice, owned: &[Site<D>], top: u32) -> 
             let own = particles.peek().filter(|(place, _)| place.level == level).map(|(place, _)| place.cell);
             let child = children.peek().map(|&c| cells[c].code >> D);
             let Some(code) = own.into_iter().chain(child).min() else { break };
-            let first = particles.peek().map_or(owned.len() as u32, |p| p.1);
+            let first = particles.peek().map_or(places.len() as u32, |p| p.1);
             while particles.next_if(|(place, _)| place.level == level && place.cell == code).is_some() {}
-            let last = particles.peek().map_or(owned.len() as u32, |p| p.1);
+            let last = particles.peek().map_or(places.len() as u32, |p| p.1);
             let first_child = children.peek().map_or(start, |&c| c) as u32;
             while children.next_if(|&c| cells[c].code >> D == code).is_some() {}
             let last_child = children.peek().map_or(start, |&c| c) as u32;
@@ -375,23 +386,38 @@ impl Known {
     /// The blocks around all cells that touch own ones, empty cells included.
     fn blocks<const D: usize>(&self, lattice: &Lattice, cells: &[Cell], levels: &[usize]) -> Blocks {
         let mut blocks = Blocks { offsets: vec![0], ..Blocks::default() };
-        let mut centres = Vec::new();
-        for (level, cells) in by_level(cells, levels) {
-            centres.clear();
-            cells.iter().for_each(|c| centres.extend_from_slice(around::<D>(lattice, level, c.code).codes()));
-            centres.sort_unstable();
-            centres.dedup();
-            for &centre in &centres {
-                let around = around::<D>(lattice, level, centre);
-                let start = blocks.cells.len();
-                blocks
-                    .cells
-                    .extend(around.codes().iter().filter_map(|&c| self.tables[level as usize].get(c)).map(|c| c.0));
-                let reach = blocks.cells[start..].iter().map(|&c| self.reach[c as usize]);
-                blocks.reach.push(reach.fold(f64::INFINITY, f64::min));
-                blocks.offsets.push(blocks.cells.len() as u32);
+        let mut others = Vec::new();
+        for (level, own) in by_level(cells, levels) {
+            let numbers = levels[level as usize] as u32..levels[level as usize + 1] as u32;
+            others.clear();
+            for cell in own {
+                self.add_block(&mut blocks, level, &around::<D>(lattice, level, cell.code), |code, number| {
+                    if !number.is_some_and(|number| numbers.contains(&number)) {
+                        others.push(code);
+                    }
+                });
+            }
+            others.sort_unstable();
+            others.dedup();
+            for &centre in &others {
+                self.add_block(&mut blocks, level, &around::<D>(lattice, level, centre), |_, _| {});
             }
         }
         blocks
+    }
+
+    /// Adds a block; `visit` sees the code of each of its cells, and the number of those that are known.
+    fn add_block(&self, blocks: &mut Blocks, level: u32, around: &Block, mut visit: impl FnMut(u64, Option<u32>)) {
+        let mut reach = f64::INFINITY;
+        for &code in around.codes() {
+            let number = self.tables[level as usize].get(code).map(|range| range.0);
+            if let Some(number) = number {
+                blocks.cells.push(number);
+                reach = reach.min(self.reach[number as usize]);
+            }
+            visit(code, number);
+        }
+        blocks.reach.push(reach);
+        blocks.offsets.push(blocks.cells.len() as u32);
     }
 }

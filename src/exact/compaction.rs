@@ -37,6 +37,12 @@ impl Sponge {
         self.matter.state(state.density, state.internal_energy, self.matter.initial).distention
     }
 
+    /// The shock from rest that gives the matter the velocity `gain`, m/s, whether or not a precursor would outrun it: the
+    /// Hugoniot of first loading.
+    pub fn shock(&self, gain: f64) -> Result<Front> {
+        self.front(&self.at_rest(), gain)
+    }
+
     fn front(&self, ahead: &State, gain: f64) -> Result<Front> {
         let front =
             jump(ahead, gain, |density, energy| self.matter.state(density, energy, self.matter.initial).pressure)?;

@@ -171,7 +171,7 @@ mod tests {
                 let piston = Piston::new(&solid, speed).unwrap();
                 let ahead = piston.precursor.map_or(piston.ahead, |precursor| precursor.behind);
                 obeys_the_jump_conditions(&ahead, &piston.front);
-                let State { density, internal_energy, stress, velocity } = piston.front.behind;
+                let State { density, internal_energy, stress, velocity, .. } = piston.front.behind;
                 near(velocity, speed, 1e-12);
                 let elastic = solid.shear(density);
                 let bearable = solid.yield_strength(internal_energy);

@@ -25,8 +25,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::setup::{Table, all_positive};
 use super::porosity::{PoreColumns, distention_rate};
+use super::setup::{Table, all_positive};
 use super::{Core, Local, MaterialEffect, MaterialTable, PerBody, Setup, eos};
 use crate::error::Result;
 use crate::math::{Deviator, Sym};
@@ -182,11 +182,21 @@ impl MaterialEffect for Strength {
         let (density, sound_speed) = (local.view(self.density), local.view(self.sound_speed));
         for (solid, range) in self.solids.runs(local) {
             let stiffness = 4.0 / 3.0 * solid.shear_modulus;
-            let distention = self.pores.filter(|_| solid.porous).map(|pores| local.view(pores.distention));
+            if let Some(pores) = self.pores.filter(|_| solid.porous) {
+                let (distention, factor) = (local.view(pores.distention), local.view(pores.stress_factor));
+                let loading_speed = local.view(pores.loading_speed);
+                for i in range {
+                    let matrix_density = distention.get(i) * density.get(i);
+                    let shear = stiffness / matrix_density.max(solid.lowest_density);
+                    let (c, loading) = (sound_speed.get(i), loading_speed.get(i));
+                    sound_speed.set(i, (c * c + shear).sqrt());
+                    loading_speed.set(i, (loading * loading + shear * factor.get(i).clamp(0.0, 1.0)).sqrt());
+                }
+                continue;
+            }
             for i in range {
                 let c = sound_speed.get(i);
-                let matrix_density = distention.map_or(1.0, |column| column.get(i)) * density.get(i);
-                sound_speed.set(i, (c * c + stiffness / matrix_density.max(solid.lowest_density)).sqrt());
+                sound_speed.set(i, (c * c + stiffness / density.get(i).max(solid.lowest_density)).sqrt());
             }
         }
     }

@@ -27,7 +27,11 @@ impl CellIndex {
             let (tables, runs) = (&mut self.tables[nth], &mut self.runs);
             tables.resize_with(self.levels.len() - nth, CellTable::default);
             runs.clear();
-            runs.extend((start..end).map(|slot| (places[slot].cell, slot as u32, slot as u32 + 1)));
+            let mut first = start;
+            for cell in places[start..end].chunk_by(|a, b| a.cell == b.cell) {
+                runs.push((cell[0].cell, first as u32, (first + cell.len()) as u32));
+                first += cell.len();
+            }
             let mut below = level;
             for (table, &above) in tables.iter_mut().zip(&self.levels[nth..]) {
                 coarsen(runs, D as u32 * (above - below));
@@ -45,16 +49,23 @@ impl CellIndex {
     /// order: by level of the neighbour, then by cell around, at the wider one of the two levels. Two particles within
     /// the larger of their list radii lie in cells of that level that touch.
     pub fn ranges_around<const D: usize>(&self, level: u32, cell: u64, mut visit: impl FnMut(std::ops::Range<usize>)) {
+        // Ranges that follow each other are one.
+        let mut open = 0..0;
         for (nth, &other) in self.levels.iter().enumerate() {
             let wider = level.max(other);
             let table = self.levels[nth..].binary_search(&wider).expect("the levels of all local particles are here");
             let centre = cell >> (D as u32 * (wider - level));
             for &code in Block::around::<D>(centre, Lattice::cells(wider)).codes() {
                 if let Some((start, end)) = self.tables[nth][table].get(code) {
-                    visit(start as usize..end as usize);
+                    if open.end == start as usize {
+                        open.end = end as usize;
+                    } else {
+                        visit(std::mem::replace(&mut open, start as usize..end as usize));
+                    }
                 }
             }
         }
+        visit(open);
     }
 }
 

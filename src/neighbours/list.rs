@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use super::cells::CellIndex;
 use super::filter::{Candidates, Centre};
 use crate::math::lanes::{Width, width};
+use crate::particles::large_pages::prefer_large_pages;
 use crate::particles::{Local, Place};
 
 /// Entries of a row come in groups of this many.
@@ -146,9 +147,9 @@ impl<const D: usize> NeighbourList<D> {
         if start + added > self.entries.capacity() {
             let expected = (start + added) as f64 * owned as f64 / rows as f64 * 1.05;
             self.entries.reserve_exact((expected as usize).max(start + added) - start);
+            prefer_large_pages(&self.entries);
         }
-        self.entries.resize(start + added, 0);
-        let mut rest = &mut self.entries[start..];
+        let mut rest = &mut self.entries.spare_capacity_mut()[..added];
         let mut parts = Vec::with_capacity(self.blocks.len());
         let mut base = start;
         for block in &self.blocks {
@@ -163,7 +164,13 @@ impl<const D: usize> NeighbourList<D> {
             }
             base += block.entries.len();
         }
-        parts.into_par_iter().for_each(|(part, block)| part.copy_from_slice(&block.entries));
+        parts.into_par_iter().for_each(|(part, block)| {
+            part.iter_mut().zip(&block.entries).for_each(|(to, entry)| {
+                to.write(*entry);
+            });
+        });
+        // SAFETY: the parts, which are all written, make up the `added` entries behind `start`.
+        unsafe { self.entries.set_len(start + added) };
     }
 }
 
@@ -184,12 +191,11 @@ impl<const D: usize> Block<D> {
         let Place { level, cell, .. } = local.places[local.slot_of_owned[rows.start] as usize];
         self.candidates.clear();
         index.ranges_around::<D>(level, cell, |slots| self.candidates.push(local, slots));
-        self.candidates.close();
+        let position = |slot: u32| std::array::from_fn(|d| local.position[d][slot as usize]);
+        self.candidates.close(width, position(local.slot_of_owned[rows.start]));
         for &slot in &local.slot_of_owned[rows] {
             let start = self.entries.len();
-            let at = slot as usize;
-            let position = std::array::from_fn(|d| local.position[d][at]);
-            let centre = Centre { slot, position, radius_squared: local.radius_squared[at] };
+            let centre = Centre { slot, position: position(slot), radius_squared: local.radius_squared[slot as usize] };
             self.candidates.filter(width, &centre, &mut self.entries);
             let row = &self.entries[start..];
             let neighbours = row.len();

@@ -1,8 +1,9 @@
 //! summary.json: what a run found and what it cost, under keys that scripts may rely on.
 
+use std::fmt;
 use std::path::Path;
 
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
 
 use super::{agree, publish};
 use crate::domain::comm::Comm;
@@ -67,6 +68,27 @@ pub struct Summary {
     pub outcome: Option<Figures>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub threshold: Option<Threshold>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<Accuracy>,
+}
+
+/// A setting that was chosen for the accuracy that was asked for, by a study of the scene.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Accuracy {
+    /// Relative.
+    pub asked: f64,
+    /// What the study found with this setting, and of which figure.
+    pub expected: f64,
+    pub figure: String,
+    pub core_seconds: f64,
+    pub pair_interactions: u64,
+    pub setting: String,
+    /// As after `--set`.
+    pub overrides: Vec<String>,
+    /// File of the study.
+    pub study: String,
+    /// Number of its point.
+    pub point: usize,
 }
 
 /// What a threshold search found; specific energies in J/kg.
@@ -90,6 +112,22 @@ pub struct Threshold {
     /// How the search ended.
     pub end: String,
     pub impacts: Vec<Figures>,
+}
+
+impl fmt::Display for Accuracy {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [asked, expected] = [self.asked, self.expected].map(|x| 100.0 * x);
+        write!(
+            f,
+            "for {asked:.3} % the study {} chooses {} ({}): point {}, whose {} was {expected:.3} % at {:.3e} core-seconds",
+            self.study,
+            self.setting,
+            self.overrides.join(", "),
+            self.point,
+            self.figure,
+            self.core_seconds
+        )
+    }
 }
 
 impl Summary {

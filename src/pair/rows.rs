@@ -2,6 +2,8 @@
 //! Neighbour k of a row stands on lane k mod 8; lanes are folded in one fixed order. Rows are padded with a record that
 //! adds exact zeros.
 
+use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+
 use super::Pair;
 use super::artificial_stress;
 use super::record::{Layout, Terms, Viscosity};
@@ -59,6 +61,12 @@ pub trait Form: Copy {
 /// Sums in the order in which they are folded: force, gradient, moment, dissipation.
 const MOST_SUMS: usize = 24;
 
+/// Rows from the one at work to the one whose neighbours are fetched: two cells or so.
+const AHEAD: usize = 32;
+
+/// Rows that share the fetching.
+const SHARES: usize = 8;
+
 struct Sums<L: Lanes> {
     folded: [L; MOST_SUMS],
     approach: L,
@@ -108,6 +116,7 @@ pub unsafe fn sum_rows<L: Lanes, F: Form, const D: usize>(
                 i.words[k] = L::splat(mine[k]);
             }
             let mut sums = Sums { folded: [L::splat(0.0); MOST_SUMS], approach: L::splat(0.0), neighbours: 0 };
+            fetch_ahead(rows, row, stride);
             for eight in rows.entries[rows.offsets[row]..rows.offsets[row + 1]].chunks_exact(LANES) {
                 let mut offsets = [0; LANES];
                 for k in 0..LANES {
@@ -121,6 +130,20 @@ pub unsafe fn sum_rows<L: Lanes, F: Form, const D: usize>(
                 interact::<L, F, D>(&i, &j, fixed, &mut sums);
             }
             *sums_out = fold::<L, F, D>(&sums);
+        }
+    }
+}
+
+/// Asks for records that rows to come will read: rows that follow each other have nearly the same neighbours, so that each asks
+/// for its share of those of one row ahead.
+#[inline(always)]
+fn fetch_ahead(rows: &Rows, row: usize, stride: usize) {
+    let Some(&[start, end]) = rows.offsets.get(row + AHEAD..).and_then(|ends| ends.first_chunk()) else { return };
+    for &slot in rows.entries[start..end].iter().skip(row % SHARES).step_by(SHARES) {
+        let record = rows.records.as_ptr().wrapping_add(slot as usize * stride);
+        for line in 0..stride / 8 {
+            // SAFETY: fetching reads nothing, wherever the address leads.
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(record.wrapping_add(8 * line).cast()) };
         }
     }
 }

@@ -105,8 +105,10 @@ impl Lattice {
     pub fn coordinates<const D: usize>(&self, position: &[f64; D]) -> [u32; D] {
         let half = Self::cells(1) as f64;
         std::array::from_fn(|k| {
-            let cell = ((position[k] - self.origin[k]) / self.sides[k]).floor();
-            (cell.clamp(-half, half - 1.0) + half) as u32
+            let cell = ((position[k] - self.origin[k]) / self.sides[k]).clamp(-half, half - 1.0);
+            // The next lower integer; without SSE4 it would be a call.
+            let towards_zero = cell as i32;
+            (towards_zero - (cell < towards_zero as f64) as i32 + half as i32) as u32
         })
     }
 

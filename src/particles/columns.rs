@@ -5,7 +5,11 @@
 use std::marker::PhantomData;
 use std::sync::Arc;
 
+use rayon::prelude::*;
+
 use super::id::ParticleId;
+use super::large_pages::prefer_large_pages;
+use super::order::Reordering;
 use crate::math::{Deviator, Vec3};
 
 /// What a column holds per particle.
@@ -244,6 +248,8 @@ impl Columns {
     /// New particles are zero in every column.
     pub fn resize(&mut self, len: usize) {
         for (column, entry) in self.words.iter_mut().zip(&self.registry.entries) {
+            column.reserve_exact((len * entry.width).saturating_sub(column.len()));
+            prefer_large_pages(column);
             column.resize(len * entry.width, 0);
         }
         self.len = len;
@@ -305,6 +311,12 @@ impl Columns {
             column.extend_from_slice(scratch);
         }
         self.len = order.len();
+    }
+
+    /// The same particles in another order.
+    pub fn rearrange(&mut self, reordering: &Reordering) {
+        let columns = self.words.par_iter_mut().zip(&self.registry.entries);
+        columns.for_each(|(column, entry)| reordering.apply(column, entry.width));
     }
 
     /// Words of one whole particle, all columns.

@@ -44,14 +44,19 @@ impl Block {
     fn of<const D: usize>(ranges: [(u32, u32); D], place: impl Fn(usize, u32) -> u32) -> Self {
         let mut block = Self { codes: [0; 27], len: 1 };
         for (k, (low, high)) in ranges.into_iter().enumerate() {
-            let mut next = Self { codes: [0; 27], len: 0 };
-            for &prefix in block.codes() {
-                for c in low..=high {
-                    next.codes[next.len] = prefix << 1 | spread::<D>(place(k, c));
-                    next.len += 1;
+            let count = (high - low + 1) as usize;
+            let mut bits = [0; 3];
+            for (bits, c) in bits.iter_mut().zip(low..=high) {
+                *bits = spread::<D>(place(k, c)) << (D - 1 - k);
+            }
+            // From the last on, so that each prefix is read before its place is written to.
+            for number in (0..block.len).rev() {
+                let prefix = block.codes[number];
+                for c in (0..count).rev() {
+                    block.codes[number * count + c] = prefix | bits[c];
                 }
             }
-            block = next;
+            block.len *= count;
         }
         block
     }

@@ -9,6 +9,7 @@
 //! ```
 
 use super::cells::{Lattice, Place, Site};
+use super::large_pages;
 
 #[derive(Debug)]
 pub struct Local<const D: usize> {
@@ -45,14 +46,24 @@ impl<const D: usize> Default for Local<D> {
 impl<const D: usize> Local<D> {
     /// Merges `owned`, in canonical order, with the ghosts in order of arrival.
     pub fn build(&mut self, lattice: &Lattice, owned: &[Site<D>], incoming: &[Site<D>]) {
+        let places = owned.iter().map(|site| lattice.place(site)).collect();
+        self.build_placed(lattice, (owned, places), incoming);
+    }
+
+    /// The same where places are known.
+    pub fn build_placed(&mut self, lattice: &Lattice, (owned, places): (&[Site<D>], Vec<Place>), incoming: &[Site<D>]) {
         self.clear();
+        self.reserve(owned.len() + incoming.len());
+        if incoming.is_empty() {
+            self.take(owned, places);
+            return;
+        }
         self.slot_of_incoming.resize(incoming.len(), 0);
         let mut arrivals = std::mem::take(&mut self.arrivals);
         arrivals.extend(incoming.iter().zip(0..).map(|(site, k)| (lattice.place(site), k)));
         arrivals.sort_unstable();
         let mut ghosts = arrivals.iter().peekable();
-        for site in owned {
-            let place = lattice.place(site);
+        for (site, place) in owned.iter().zip(places) {
             while let Some((ghost, k)) = ghosts.next_if(|(ghost, _)| *ghost < place) {
                 self.push_ghost(*ghost, &incoming[*k as usize], *k);
             }
@@ -91,6 +102,25 @@ impl<const D: usize> Local<D> {
             + std::mem::size_of::<Place>() * self.places.capacity()
             + 4 * (self.slot_of_owned.capacity() + self.slot_of_incoming.capacity())
             + self.is_ghost.capacity()
+    }
+
+    /// Owned particles alone.
+    fn take(&mut self, owned: &[Site<D>], places: Vec<Place>) {
+        self.slot_of_owned.extend(0..owned.len() as u32);
+        for (k, column) in self.position.iter_mut().enumerate() {
+            column.extend(owned.iter().map(|site| site.position[k]));
+        }
+        self.radius_squared.extend(owned.iter().map(|site| site.radius * site.radius));
+        self.is_ghost.resize(owned.len(), false);
+        self.count = owned.len();
+        self.places = places;
+    }
+
+    fn reserve(&mut self, count: usize) {
+        let columns = self.position.iter_mut().chain([&mut self.radius_squared]);
+        columns
+            .filter(|column| column.capacity() < count)
+            .for_each(|column| *column = large_pages::with_capacity(count));
     }
 
     fn clear(&mut self) {

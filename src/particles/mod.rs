@@ -5,7 +5,9 @@ pub mod chunk;
 pub mod columns;
 pub mod curve;
 pub mod id;
+pub mod large_pages;
 pub mod local;
+pub mod order;
 pub mod periods;
 
 pub use cells::{Lattice, Place, Site};

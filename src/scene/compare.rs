@@ -5,12 +5,14 @@ use serde::{Deserialize, Serialize};
 use super::boundaries::RawInterval;
 use super::source::Document;
 use crate::error::Result;
+use crate::units::Length;
 
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RawCompare {
     with: Solution,
     within: Option<RawInterval>,
+    core: Option<Length>,
 }
 
 /// The solutions there are.
@@ -23,7 +25,7 @@ pub enum Solution {
     Blast,
     /// A body of cold ideal gas that flows towards its centre (`flow.radial`).
     Implosion,
-    /// A body, or a layer of one, with a prescribed velocity along x drives a solid.
+    /// A body, or a layer of one, with a prescribed velocity along one axis drives a solid.
     Piston,
     /// Two bodies meet in a plane across x.
     Impact,
@@ -43,6 +45,8 @@ pub struct Compare {
     pub with: Solution,
     /// Stretch of the solution's coordinate (x of the scene, or the distance from the centre) that counts, m.
     pub within: [f64; 2],
+    /// Largest distance from the coordinate's axis that counts, m.
+    pub core: Option<f64>,
 }
 
 impl RawCompare {
@@ -51,6 +55,12 @@ impl RawCompare {
             None => [f64::MIN, f64::MAX],
             Some(ends) => super::boundaries::interval(document, "compare.within", ends)?,
         };
-        Ok(Compare { with: self.with, within })
+        let core = match self.core {
+            Some(core) if core.0 <= 0.0 => {
+                return Err(document.error("compare.core", format!("core is {core}")).allowed("more than 0"));
+            }
+            core => core.map(|core| core.0),
+        };
+        Ok(Compare { with: self.with, within, core })
     }
 }

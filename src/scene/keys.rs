@@ -1,11 +1,12 @@
 //! From serde's complaints to messages for the person who wrote the scene: what, in which file and line, what is allowed.
 
-use super::raw::RawScene;
+use serde::de::DeserializeOwned;
+
 use super::source::Document;
 use crate::error::{Error, Result};
 
-/// Reads the tables of a completed tree.
-pub fn deserialize(document: &Document) -> Result<RawScene> {
+/// Reads the tables of a tree: a completed scene's, or those of another file.
+pub fn deserialize<T: DeserializeOwned>(document: &Document) -> Result<T> {
     let tree = toml::Value::Table(document.tree.clone());
     serde_path_to_error::deserialize(tree).map_err(|e| {
         let path = e.path().to_string().replace('[', ".").replace(']', "");
@@ -51,7 +52,7 @@ pub fn unknown(document: &Document, path: &str, kind: &str, found: &str, known: 
 }
 
 /// The known word that `found` is most likely a misspelling of.
-fn nearest<'a>(found: &str, known: &'a [String]) -> Option<&'a str> {
+pub fn nearest<'a>(found: &str, known: &'a [String]) -> Option<&'a str> {
     let distance = |word: &str| strsim::damerau_levenshtein(&found.to_lowercase(), &word.to_lowercase());
     let best = known.iter().min_by_key(|word| distance(word))?;
     (distance(best) <= (found.chars().count() / 3).max(2)).then_some(best)

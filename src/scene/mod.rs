@@ -7,7 +7,7 @@ pub mod boundaries;
 pub mod compare;
 mod curves;
 pub mod impact;
-mod keys;
+pub mod keys;
 pub mod lattice;
 mod materials;
 pub mod numerics;
@@ -108,7 +108,7 @@ impl Scene {
     fn from_source(source: Source) -> Result<Self> {
         let mut document = Document::parse(&source)?;
         materials::complete(&mut document)?;
-        let mut raw = keys::deserialize(&document)?;
+        let mut raw: RawScene = keys::deserialize(&document)?;
         let mut scene = validate(&document, &mut raw)?;
         scene.understood =
             print(&raw).map_err(|e| Error::new(format!("the scene cannot be printed: {e}")).at(&source.path))?;
@@ -145,7 +145,7 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
         material.validate(&format!("material.{name}")).map_err(|e| relocated(document, e))?;
     }
     raw.record.validate(&materials).map_err(|e| relocated(document, e))?;
-    let numerics = raw.numerics.validate(document)?;
+    let numerics = raw.numerics.validate(document, dimension)?;
     let impact = raw.impact.as_mut().map(|i| Impact::read(document, i, &raw.body)).transpose()?;
     let periods = raw.domain.validate(document, dimension)?;
     if impact.is_some() && periods.any() {

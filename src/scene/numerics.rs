@@ -1,11 +1,13 @@
 //! `[numerics]`: how the sums are made. Every key has a default; what costs something is off until asked for.
 
+use std::f64::consts::PI;
+
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::settings::within;
 use super::source::Document;
 use crate::error::Result;
-use crate::kernel::Kernel;
+use crate::kernel::{Kernel, SUPPORT};
 use crate::units::Number;
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -14,7 +16,8 @@ pub struct RawNumerics {
     kernel: Kernel,
     cfl: Number,
     skin: Number,
-    eta: Number,
+    eta: Option<Number>,
+    neighbours: Option<Number>,
     pub(super) viscosity: bool,
     corrected_gradient: bool,
     artificial_stress: Switch<RawArtificialStress>,
@@ -27,13 +30,32 @@ impl Default for RawNumerics {
             kernel: Kernel::CubicSpline,
             cfl: Number::new(0.25),
             skin: Number::new(0.1),
-            eta: Number::new(1.2),
+            eta: None,
+            neighbours: None,
             viscosity: true,
             corrected_gradient: false,
             artificial_stress: Switch(None),
             smoothing_length: RawSmoothingLength::default(),
         }
     }
+}
+
+/// h over (m / rho)^(1/d): default, least and largest.
+const DEFAULT_ETA: f64 = 1.2;
+const ETA: [f64; 2] = [0.8, 3.0];
+
+/// Volume of the ball (or area of the disc) of radius 1.
+fn unit_ball(dimension: usize) -> f64 {
+    if dimension == 2 { PI } else { 4.0 / 3.0 * PI }
+}
+
+/// Neighbours inside the support of a particle that matter surrounds evenly, itself not counted: V_d (2 eta)^d - 1.
+pub fn neighbours(eta: f64, dimension: usize) -> f64 {
+    unit_ball(dimension) * libm::pow(SUPPORT * eta, dimension as f64) - 1.0
+}
+
+fn eta_of(neighbours: f64, dimension: usize) -> f64 {
+    libm::pow((neighbours + 1.0) / unit_ball(dimension), 1.0 / dimension as f64) / SUPPORT
 }
 
 /// A table that may also be `true` (all its defaults) or `false` (off).
@@ -173,7 +195,11 @@ pub enum SmoothingLength {
 }
 
 impl RawNumerics {
-    pub(super) fn validate(&self, document: &Document) -> Result<Numerics> {
+    /// Fills in eta.
+    pub(super) fn validate(&mut self, document: &Document, dimension: usize) -> Result<Numerics> {
+        let eta = self.eta(document, dimension)?;
+        self.eta = Some(Number::new(eta));
+        self.neighbours = None;
         let within = |key: &str, value: Number, low: f64, high: f64| {
             within(document, &format!("numerics.{key}"), value, low, high)
         };
@@ -192,11 +218,60 @@ impl RawNumerics {
             kernel: self.kernel,
             cfl: within("cfl", self.cfl, 1e-3, 1.0)?,
             skin: within("skin", self.skin, 0.0, 1.0)?,
-            eta: within("eta", self.eta, 0.8, 3.0)?,
+            eta,
             viscosity: self.viscosity,
             corrected_gradient: self.corrected_gradient,
             artificial_stress,
             smoothing_length,
         })
+    }
+
+    /// h over (m / rho)^(1/d), as given or by the number of neighbours.
+    fn eta(&self, document: &Document, dimension: usize) -> Result<f64> {
+        let [low, high] = ETA;
+        match (self.eta, self.neighbours) {
+            (Some(_), Some(_)) => Err(document
+                .error("numerics.neighbours", "both `eta` and `neighbours` are given")
+                .allowed("one of them")),
+            (eta, None) => within(document, "numerics.eta", eta.unwrap_or(Number::new(DEFAULT_ETA)), low, high),
+            (None, Some(number)) => {
+                let [fewest, most] = [low.next_up(), high.next_down()].map(|eta| neighbours(eta, dimension));
+                let number = within(document, "numerics.neighbours", number, fewest.ceil(), most.floor())?;
+                Ok(eta_of(number, dimension))
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
+
+    const TEXT: &str = "[[body]]\nname = \"ball\"\nshape = { sphere = { radius = 1 } }\nmaterial = \"basalt\"\n\
+        particles = 1000\n[run]\nuntil = 1\n";
+
+    fn eta(overrides: &[&str]) -> Result<f64> {
+        let overrides: Vec<String> = overrides.iter().map(|text| text.to_string()).collect();
+        Scene::parse("s.toml", TEXT, &overrides).map(|scene| scene.numerics.eta)
+    }
+
+    /// 57 neighbours in 3D, 17 in the plane, are what eta = 1.2 gives.
+    #[test]
+    fn neighbours_stand_for_eta() {
+        assert!((neighbours(1.2, 3) - 57.0).abs() < 0.1 && (neighbours(1.2, 2) - 17.1).abs() < 0.1);
+        assert!([2, 3].iter().all(|&d| (eta_of(neighbours(1.37, d), d) - 1.37).abs() < 1e-14));
+        assert_eq!(eta(&[]).unwrap(), 1.2);
+        assert!((eta(&["numerics.neighbours=57"]).unwrap() - 1.2).abs() < 1e-3);
+        // The later word counts.
+        assert_eq!(eta(&["numerics.neighbours=57", "numerics.eta=1.5"]).unwrap(), 1.5);
+    }
+
+    #[test]
+    fn one_of_eta_and_neighbours() {
+        let both = Scene::parse("s.toml", &format!("{TEXT}[numerics]\neta = 1.2\nneighbours = 57\n"), &[]);
+        let error = both.err().unwrap();
+        assert!(error.what.contains("both") && error.place.starts_with("s.toml:10"), "{error}");
+        assert!(eta(&["numerics.neighbours=3"]).err().unwrap().allowed.starts_with("17 to"));
     }
 }

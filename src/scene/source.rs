@@ -26,9 +26,11 @@ pub struct Document<'a> {
 }
 
 /// Keys that say the same thing in another way: where one is set over a scene, the later word counts.
-const RIVALS: [(&str, &[&str]); 15] = [
+const RIVALS: [(&str, &[&str]); 17] = [
     ("particles", &["spacing"]),
     ("spacing", &["particles"]),
+    ("eta", &["neighbours"]),
+    ("neighbours", &["eta"]),
     ("snapshots", &["every"]),
     ("every", &["snapshots"]),
     ("seed", &["axis", "angle"]),

@@ -30,6 +30,7 @@ impl<const D: usize> Run<'_, D> {
     pub(super) fn evaluate_outcome(&mut self) -> Evaluation {
         let start = Instant::now();
         self.stepper.rest();
+        resources::give_memory_back();
         let core = self.stepper.settings.core;
         let particles = outcome::particles(&self.stepper.columns, &core, &self.stepper.settings.constants);
         let target = self.scene.impact.as_ref().map_or(0, |impact| impact.target);

@@ -63,20 +63,17 @@ impl Footprint {
         let (site, slot) = (if dimension == 2 { size_of::<Site<2>>() } else { size_of::<Site<3>>() }, size_of::<u32>());
         // Position, squared radius, whether it is a ghost, and its slot.
         let local = place + 8 * dimension + 8 + 1 + slot;
-        // The sites, and the table that sorts them at each build.
-        let order = site + (place + site + 2 * slot);
-        // Records and lists make room for the search for neighbours and for the outcome, which need more than that or nothing.
+        // Records and lists make room for the outcome, which needs more than that or nothing.
         let records = (owned + ghosts) * 8.0 * layout.stride() as f64;
         let list = owned * (4.0 * row + 8.0 + 4.0);
-        let search = ((owned + ghosts) * local as f64 + list).max(owned * order as f64);
+        let search = (owned + ghosts) * local as f64 + owned * site as f64;
         let outcome = scene.impact.map_or(0.0, |_| owned * LOOSE as f64);
-        let beyond = |bytes: f64| (bytes - records - list).max(0.0);
         let parts = [
             ("columns", owned * plan.registry.bytes_per_particle() as f64),
             ("pair records", records),
             ("neighbour list", list),
-            ("search for neighbours, beyond these", beyond(search)),
-            ("outcome, beyond these", beyond(outcome.max(search)) - beyond(search)),
+            ("search for neighbours", search),
+            ("outcome, beyond these", (outcome - records - list - search).max(0.0)),
             ("ghost messages", 2.0 * ghosts * 8.0 * layout.words() as f64),
             ("libraries", LIBRARIES),
         ];

@@ -14,7 +14,7 @@ use crate::outcome::{Evaluation, Outcome};
 use crate::output::figures::cut::{self, Picture};
 use crate::output::figures::raster::Plane;
 use crate::output::publish::replace_text;
-use crate::output::summary::Figures;
+use crate::output::summary::{Accuracy, Figures};
 use crate::output::{Cell, Summary, agree, state_hash};
 use crate::scene::Scene;
 use crate::step::phases::{NAMES, Phase};
@@ -139,6 +139,7 @@ pub struct Report<'a, 'c, const D: usize> {
     /// Against the exact solution that the scene names.
     pub errors: Figures,
     pub resident_at_start: f64,
+    pub accuracy: Option<&'a Accuracy>,
     pub comm: &'a Comm,
 }
 
@@ -194,6 +195,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         errors: report.errors.clone(),
         outcome: state.has_outcome().then(|| outcome_figures(report)),
         threshold: None,
+        accuracy: report.accuracy.cloned(),
     }
 }
 

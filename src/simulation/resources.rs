@@ -42,12 +42,26 @@ pub fn machine() -> u64 {
     u64::from_le_bytes(std::array::from_fn(|k| blake3::hash(&boot).as_bytes()[k]))
 }
 
-/// Lets large arrays go back to the system when they are freed, whatever was allocated after them: what a list build or an
-/// outcome needs for itself then does not add to what the steps need.
-pub fn give_freed_memory_back() {
+/// Larger arrays go back at once, bytes: with many particles they would be too much to hold.
+#[cfg(target_env = "gnu")]
+const LARGE: libc::c_int = 1 << 22;
+
+/// Keeps freed memory for the arrays that come next, but for the largest ones: pages that come anew from the system at each
+/// list build would cost a tenth of all time.
+pub fn hold_memory() {
     #[cfg(target_env = "gnu")]
-    // SAFETY: sets a parameter of the allocator, before there are threads.
+    // SAFETY: sets parameters of the allocator, before there are threads.
     unsafe {
-        libc::mallopt(libc::M_MMAP_THRESHOLD, 1 << 22);
+        libc::mallopt(libc::M_MMAP_THRESHOLD, LARGE);
+        libc::mallopt(libc::M_TRIM_THRESHOLD, libc::c_int::MAX);
+    }
+}
+
+/// Gives what is held and free back to the system, for work that needs arrays of its own.
+pub fn give_memory_back() {
+    #[cfg(target_env = "gnu")]
+    // SAFETY: touches nothing that is in use.
+    unsafe {
+        libc::malloc_trim(0);
     }
 }

@@ -1,6 +1,6 @@
 //! The loop over steps: when to write, signals, and the question whether the outcome has settled.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use super::collapse::Collapse;
@@ -11,17 +11,17 @@ use super::footprint::Footprint;
 use super::log::Progress;
 use super::probes;
 use super::report::{self, Report};
+use super::resources;
 use super::setup;
 use super::signals;
 use super::state::{Conservation, RunState, Spent};
-use super::{directory, resources};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::material::porosity::DISTENTION;
 use crate::outcome::Outcome;
 use crate::outcome::settled::Settled;
 use crate::output::publish::replace_text;
-use crate::output::summary::Figures;
+use crate::output::summary::{Accuracy, Figures};
 use crate::output::{History, Summary, agree, checkpoint};
 use crate::particles::ParticleId;
 use crate::scene::{Scene, Until};
@@ -36,6 +36,8 @@ pub struct Options {
     pub resume: bool,
     /// Resident bytes of the process before anything was made.
     pub resident_at_start: f64,
+    /// The choice by which the scene got its settings, for the summary; and how the log says it.
+    pub accuracy: Option<Accuracy>,
 }
 
 /// Why a run came back.
@@ -105,6 +107,9 @@ impl<'a, const D: usize> Run<'a, D> {
         let wait_cpu_at_start = comm.wait_cpu_seconds();
         let log = || super::log::to_file(&options.directory.join("log.txt"), options.resume);
         agree(comm, if comm.is_root() { log() } else { Ok(()) })?;
+        if let Some(choice) = &options.accuracy {
+            tracing::info!("{choice}");
+        }
         let comparison = Comparison::new(scene)?;
         let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
         Footprint::new(scene, &plan, comm.size()).require(comm).map_err(|e| e.at(scene.path()))?;
@@ -392,6 +397,7 @@ impl<'a, const D: usize> Run<'a, D> {
             spent,
             errors,
             resident_at_start: self.options.resident_at_start,
+            accuracy: self.options.accuracy.as_ref(),
             comm: self.comm,
         });
         if ended == Ended::Finished {
@@ -400,9 +406,4 @@ impl<'a, const D: usize> Run<'a, D> {
         }
         Ok(RunReport { ended, summary, outcome: self.state.outcome, later: self.later })
     }
-}
-
-/// Where a scene's file lies decides the default directory.
-pub fn default_directory(scene: &Scene) -> PathBuf {
-    directory::default_directory(Path::new(scene.path()))
 }

@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use crate::material::{BodyConstants, Core, fracture};
+use crate::material::{BodyConstants, Core, fracture, porosity};
 use crate::math::{Deviator, Sym};
 use crate::pair::artificial_stress::artificial_stress;
 use crate::pair::record::Viscosity;
@@ -15,12 +15,15 @@ use crate::particles::{Chunk, Column, Columns, Registry};
 pub struct Packer {
     core: Core,
     layout: Layout,
+    /// What viscosity goes by in porous bodies.
+    loading_speed: Option<Column<f64>>,
     deviatoric_stress: Option<Column<Deviator>>,
     damage: Option<Column<f64>>,
     smoothing_length: Option<Column<f64>>,
     constants: Vec<BodyConstants>,
     /// (alpha, beta) of each body's material.
     viscosity: Vec<(f64, f64)>,
+    porous: Vec<bool>,
     /// Strength epsilon of the artificial stress.
     epsilon: f64,
     /// Spacing over smoothing length, to the power of the dimension, times two: V_max / h^d.
@@ -33,6 +36,8 @@ pub struct PackSettings {
     pub terms: Terms,
     pub constants: Vec<BodyConstants>,
     pub viscosity: Vec<(f64, f64)>,
+    /// Bodies with pores.
+    pub porous: Vec<bool>,
     pub artificial_stress_factor: f64,
     /// Smoothing length over spacing.
     pub eta: f64,
@@ -44,11 +49,13 @@ impl Packer {
         Self {
             core,
             layout: Layout { dimension, terms: settings.terms },
+            loading_speed: registry.find(porosity::LOADING_SPEED),
             deviatoric_stress: registry.find("deviatoric_stress"),
             damage: registry.find("damage"),
             smoothing_length: registry.find("smoothing_length"),
             constants: settings.constants,
             viscosity: settings.viscosity,
+            porous: settings.porous,
             epsilon: settings.artificial_stress_factor,
             most_volume: 2.0 / settings.eta.powi(dimension as i32),
         }
@@ -108,13 +115,12 @@ impl Packer {
         record[layout.density()] = constants.particle_mass / volume;
         record[layout.h_inverse()] = 1.0 / h;
         let (alpha, beta) = self.viscosity[body];
-        match layout.terms.viscosity {
-            Viscosity::Off => {}
-            Viscosity::SameBeta => record[layout.alpha_c()] = alpha * columns.get(self.core.sound_speed, i),
-            Viscosity::OwnBeta => {
-                record[layout.alpha_c()] = alpha * columns.get(self.core.sound_speed, i);
-                record[layout.beta()] = beta;
-            }
+        if layout.terms.viscosity != Viscosity::Off {
+            let speed = self.loading_speed.filter(|_| self.porous[body]).unwrap_or(self.core.sound_speed);
+            record[layout.alpha_c()] = alpha * columns.get(speed, i);
+        }
+        if layout.terms.viscosity == Viscosity::OwnBeta {
+            record[layout.beta()] = beta;
         }
         let pressure = columns.get(self.core.pressure, i);
         if !layout.terms.tensor {

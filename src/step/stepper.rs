@@ -16,7 +16,7 @@ use crate::material::{BodyConstants, Core, MaterialEffect};
 use crate::motion::Motions;
 use crate::pair::{PairLoop, Rows};
 use crate::particles::chunk::{CHUNK, Chunks};
-use crate::particles::{Column, Columns, ParticleId, Periods};
+use crate::particles::{Column, Columns, ParticleId, Periods, large_pages};
 
 /// Chunks between two looks at the messages on their way.
 const CHUNKS_PER_POLL: usize = 8;
@@ -332,8 +332,6 @@ impl<'c, const D: usize> Stepper<'c, D> {
     /// New lists; `fresh` from the present positions, otherwise from those of the last build.
     fn rebuild(&mut self, fresh: bool) {
         self.resting = false;
-        // Not read before the next step packs them, and the search has arrays of its own.
-        self.records = Vec::new();
         let start = Instant::now();
         if fresh {
             self.neighbourhood.start_afresh(&mut self.columns);
@@ -341,7 +339,6 @@ impl<'c, const D: usize> Stepper<'c, D> {
             self.counters.list_builds += 1;
             self.counters.rebisections += rebisected as u64;
         }
-        self.neighbourhood.forget_list();
         self.neighbourhood.distribute(&mut self.columns, &self.settings, self.comm);
         self.counters.migrated += self.neighbourhood.migrated() as u64;
         self.phases.add(Phase::Migration, start);
@@ -363,7 +360,12 @@ impl<'c, const D: usize> Stepper<'c, D> {
         }
         let layout = self.settings.pair_loop.layout;
         let lines = layout.stride() / 8;
-        self.records.resize((self.neighbourhood.local().count + 1) * lines, Line([0.0; 8]));
+        let needed = (self.neighbourhood.local().count + 1) * lines;
+        if self.records.capacity() < needed {
+            // The old ones are not read again.
+            self.records = large_pages::with_capacity(needed);
+        }
+        self.records.resize(needed, Line([0.0; 8]));
         let padding = self.neighbourhood.local().count * layout.stride();
         layout
             .padding(&mut bytemuck::cast_slice_mut::<Line, f64>(&mut self.records)[padding..padding + layout.stride()]);

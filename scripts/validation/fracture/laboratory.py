@@ -31,6 +31,9 @@ VARIED = {
     "k = 5e34 m^-3, m = 8 (Schaefer et al. 2016)": varied("m8", "material.basalt.fracture.weibull_m=8"),
     "nylon without strength": varied("fluid", "material.nylon.strength=false"),
     "lattice turned": varied("turned", "target.orientation={ seed = 1 }"),
+    "45 degrees": varied("oblique", 'impact.angle="45 deg"'),
+    "viscosity of basalt: alpha 0.5, beta 1": varied("thin", "material.basalt.viscosity={ alpha = 0.5, beta = 1 }"),
+    "viscosity of basalt: alpha 3, beta 6": varied("thick", "material.basalt.viscosity={ alpha = 3, beta = 6 }"),
 }
 
 

@@ -317,7 +317,10 @@ mod tests {
             for eta in [0.0, 1e-300, 1e-9, 1e-4, 0.02, 0.3, 0.5, 0.8, 0.9, 0.99, 1.0, 1.5, 4.0] {
                 for u in [-1e6, 0.0, 1e-300, 1.0, 1e6, 4e6, 1e7, 7e7, 1e10] {
                     let (p, c) = law.pressure(eta * law.rho_0, u);
-                    assert!(p.is_finite() && c.is_finite() && c * c >= 0.999 * 0.25 * law.modulus_a / law.rho_0, "{eta} {u}: {p} {c}");
+                    assert!(
+                        p.is_finite() && c.is_finite() && c * c >= 0.999 * 0.25 * law.modulus_a / law.rho_0,
+                        "{eta} {u}: {p} {c}"
+                    );
                 }
             }
             assert!(law.pressure(f64::NAN, 0.0).0.is_nan() && law.pressure(law.rho_0, f64::NAN).0.is_nan());

@@ -345,7 +345,13 @@ mod tests {
         let spacing: f64 = 0.02;
         let weakest = |dimension: i32| {
             let particle_mass = 2700.0 * spacing.powi(dimension);
-            let constants = BodyConstants { particle_mass, smoothing_length: 0.024, particles: 1000, density: 2700.0, distention: 1.0 };
+            let constants = BodyConstants {
+                particle_mass,
+                smoothing_length: 0.024,
+                particles: 1000,
+                density: 2700.0,
+                distention: 1.0,
+            };
             let setup = Setup {
                 dimension: dimension as usize,
                 materials: &[basalt()],

@@ -121,7 +121,10 @@ impl MeasuredTable {
                 .at(format!("{place}.pressure"))
                 .allowed("finite pressures above 0, each above the one before"));
         }
-        if alpha.windows(2).all(|pair| pair[0].0 > pair[1].0) && alpha[alpha.len() - 1].0 == 1.0 && alpha[0].0.is_finite() {
+        if alpha.windows(2).all(|pair| pair[0].0 > pair[1].0)
+            && alpha[alpha.len() - 1].0 == 1.0
+            && alpha[0].0.is_finite()
+        {
             return Ok(());
         }
         Err(Error::new("the distentions do not fall to 1")
@@ -284,7 +287,8 @@ mod tests {
     #[test]
     fn two_slopes_of_pumice() {
         let curve = CrushCurve::new(&CurveTable::TwoSlope(&pumice()), 1.0, 4.64);
-        let points = [(1e6, 4.64), (3e6, 3.779), (1e7, 2.275), (3e7, 1.582), (6.8e7, 1.288), (1e8, 1.136), (1.5e8, 1.0236)];
+        let points =
+            [(1e6, 4.64), (3e6, 3.779), (1e7, 2.275), (3e7, 1.582), (6.8e7, 1.288), (1e8, 1.136), (1.5e8, 1.0236)];
         for (p, alpha) in points {
             assert!((curve.at(p).0 - alpha).abs() < 6e-4, "{p:e} {}", curve.at(p).0);
         }
@@ -323,7 +327,8 @@ mod tests {
             pressure: [1e6, 5e6, 4e7, 2e8].map(Quantity).to_vec(),
             distention: [3.0, 2.2, 1.4, 1.0].map(Quantity).to_vec(),
         };
-        let tables = [CurveTable::Quadratic(&quadratic), CurveTable::TwoSlope(&pumice()), CurveTable::Measured(&measured)];
+        let tables =
+            [CurveTable::Quadratic(&quadratic), CurveTable::TwoSlope(&pumice()), CurveTable::Measured(&measured)];
         for table in &tables {
             for scale in [1.0, 0.3] {
                 let curve = CrushCurve::new(table, scale, 1.0 + 2.0 * scale);
@@ -350,7 +355,8 @@ mod tests {
         let kinked = TwoSlopeTable { n_1: Quantity(1.0), ..pumice() };
         assert!(CurveTable::TwoSlope(&kinked).validate("p", 4.64).is_err());
         for (p, alpha) in [(vec![1e6, 1e5], vec![2.0, 1.0]), (vec![1e6, 2e6], vec![2.0, 1.1]), (vec![1e6], vec![1.0])] {
-            let (pressure, distention) = (p.into_iter().map(Quantity).collect(), alpha.into_iter().map(Quantity).collect());
+            let (pressure, distention) =
+                (p.into_iter().map(Quantity).collect(), alpha.into_iter().map(Quantity).collect());
             assert!(MeasuredTable { pressure, distention }.validate("m").is_err());
         }
     }

@@ -15,6 +15,14 @@
 //! ```text
 //! f = { alpha + alpha' P [1 + P_u / (alpha rho)] } / { alpha + alpha' [P - rho P_rho] }      alpha' = d alpha / dP
 //! ```
+//! Sound runs with the speed of unloading and of the elastic branch. Compression that crushes pores runs slower by far,
+//!
+//! ```text
+//! c_load^2 = dP/drho = f P_rho + P_u P / (alpha rho^2) + (1 - f) P / rho
+//! ```
+//! with f bounded from below by 0, and this is what viscosity must go by: with c_s it would spread a compaction wave over many
+//! times its width.
+//!
 //! P_u, P_rho derivatives of the matrix pressure P_s. f may be negative: then the matrix expands while the body is compressed
 //! (alpha_0 above (c + 2) / c). No density is bounded from below here.
 
@@ -53,6 +61,8 @@ pub struct State {
     pub pressure: f64,
     /// Bulk speed of sound, m/s.
     pub sound_speed: f64,
+    /// c_load, m/s.
+    pub loading_speed: f64,
     /// f, not bounded; 1 where no pore gives way.
     pub stress_factor: f64,
 }
@@ -109,10 +119,9 @@ impl Porous {
         });
         let p = elastic.pressure(alpha, unloaded);
         if p <= curve.elastic_limit() || curve.at(p).0 >= alpha {
-            return self.with(rho, u, (alpha, unloaded), |hot| {
-                self.factor(rho, alpha, elastic.slope(alpha), hot, hot.by_u)
-            })
-            .slowed(rho, elastic.slope(alpha));
+            return self
+                .with(rho, u, (alpha, unloaded), |hot| self.factor(rho, alpha, elastic.slope(alpha), hot, hot.by_u))
+                .slowed(rho, elastic.slope(alpha));
         }
         let alpha = self.on_curve(rho, u, curve, alpha);
         if alpha <= 1.0 {
@@ -121,9 +130,8 @@ impl Porous {
         let p = self.pressure(rho, u, alpha);
         // The line that leads back from here: its pressure at alpha is p.
         let above = elastic.pressure(alpha, unloaded) - p;
-        let left = solve(alpha, unloaded, |left| {
-            (above - elastic.pressure(left, unloaded), -1.0 / elastic.slope(left))
-        });
+        let left =
+            solve(alpha, unloaded, |left| (above - elastic.pressure(left, unloaded), -1.0 / elastic.slope(left)));
         self.with(rho, u, (alpha, left), |hot| self.factor(rho, alpha, curve.at(p).1, hot, hot.by_u))
             .slowed(rho, elastic.slope(alpha))
     }
@@ -162,13 +170,16 @@ impl Porous {
     fn with(&self, rho: f64, u: f64, (alpha, unloaded): (f64, f64), factor: impl Fn(&Slopes) -> f64) -> State {
         let matrix_density = alpha * rho;
         let matrix = self.eos.slopes(matrix_density, u);
-        State {
-            distention: alpha,
-            unloaded,
-            pressure: matrix.p / alpha,
-            sound_speed: bounded_sound(matrix.sound2(matrix_density), self.sound2_at_rest),
-            stress_factor: factor(&matrix),
-        }
+        let (pressure, stress_factor) = (matrix.p / alpha, factor(&matrix));
+        let sound_speed = bounded_sound(matrix.sound2(matrix_density), self.sound2_at_rest);
+        let loading_speed = if stress_factor < 1.0 {
+            let share = stress_factor.max(0.0);
+            let heat = matrix.by_u * pressure / (matrix_density * rho);
+            (share * matrix.by_rho + heat + (1.0 - share) * pressure / rho).max(0.0).sqrt().min(sound_speed)
+        } else {
+            sound_speed
+        };
+        State { distention: alpha, unloaded, pressure, sound_speed, loading_speed, stress_factor }
     }
 }
 
@@ -192,7 +203,11 @@ fn solve(mut low: f64, mut high: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
         if value == 0.0 {
             return x;
         }
-        if value > 0.0 { high = x } else { low = x }
+        if value > 0.0 {
+            high = x
+        } else {
+            low = x
+        }
         let newton = x - value / slope;
         let next = if newton > low && newton < high { newton } else { low + 0.5 * (high - low) };
         // The last digits of distention are noise of the equation of state.
@@ -270,7 +285,13 @@ mod tests {
     /// f against its definition, 1 + rho / alpha d alpha / d rho with du = P / rho^2 drho, by differences, in all laws.
     #[test]
     fn the_factor_is_that_of_its_definition() {
-        for porous in [simple(3.0, 2.0), aluminium(1.275), ice(3.0), super::super::testing::cold(3.0), super::super::testing::strained(3.0)] {
+        for porous in [
+            simple(3.0, 2.0),
+            aluminium(1.275),
+            ice(3.0),
+            super::super::testing::cold(3.0),
+            super::super::testing::strained(3.0),
+        ] {
             let rho_0 = porous.eos.reference_density().unwrap() / porous.initial;
             for compression in [1.003, 1.05, 1.2, 1.7] {
                 let (rho, u) = (rho_0 * compression, 2e4);
@@ -279,10 +300,17 @@ mod tests {
                     continue;
                 }
                 let d = 1e-6 * rho;
-                let side = |d: f64| porous.state(rho + d, u + here.pressure / (rho * rho) * d, porous.initial).distention;
+                let side =
+                    |d: f64| porous.state(rho + d, u + here.pressure / (rho * rho) * d, porous.initial).distention;
                 let by_rho = (side(d) - side(-d)) / (2.0 * d);
                 let expected = 1.0 + rho / here.distention * by_rho;
                 assert!((here.stress_factor - expected).abs() < 2e-5, "{compression} {here:?} {expected}");
+                let pressure =
+                    |d: f64| porous.state(rho + d, u + here.pressure / (rho * rho) * d, porous.initial).pressure;
+                let loading = ((pressure(d) - pressure(-d)) / (2.0 * d)).sqrt();
+                if expected > 0.01 {
+                    assert!((here.loading_speed / loading - 1.0).abs() < 1e-3, "{compression} {here:?} {loading}");
+                }
             }
         }
     }

@@ -12,7 +12,7 @@
 //! (epsilon-alpha). alpha never grows but along the elastic branch, and changes in `update` alone.
 //!
 //! Columns: owns `distention`, `unloaded_distention` where pores are elastic, `stress_factor` (f of eq. 53, which `strength`
-//! reads), and, where a porous material can break, `compaction_damage` (growth of D^(1/3) in this step, which `fracture` adds to
+//! reads), `loading_speed` (longitudinal, of further compression, which viscosity goes by; `strength` stiffens it), and, where a porous material can break, `compaction_damage` (growth of D^(1/3) in this step, which `fracture` adds to
 //! its own). Sets the core columns `pressure` and `sound_speed` of porous bodies.
 //! Time step: alpha changes by at most 0.2 (alpha_0 - 1), so that a collapse takes steps enough to do its work: in one step it
 //! would lose several per cent of the shock's energy.
@@ -38,6 +38,7 @@ use strain_law::{StrainLaw, StrainTable};
 
 /// Names of columns that other effects and outcomes read.
 pub const DISTENTION: &str = "distention";
+pub const LOADING_SPEED: &str = "loading_speed";
 pub const STRESS_FACTOR: &str = "stress_factor";
 pub const COMPACTION_DAMAGE: &str = "compaction_damage";
 
@@ -168,11 +169,16 @@ fn elastic_strain(eos: &eos::Eos, density: f64, alpha: f64, pressure: f64) -> f6
 pub struct PoreColumns {
     pub distention: Column<f64>,
     pub stress_factor: Column<f64>,
+    pub loading_speed: Column<f64>,
 }
 
 impl PoreColumns {
     pub fn find(registry: &Registry) -> Option<Self> {
-        Some(Self { distention: registry.find(DISTENTION)?, stress_factor: registry.find(STRESS_FACTOR)? })
+        Some(Self {
+            distention: registry.find(DISTENTION)?,
+            stress_factor: registry.find(STRESS_FACTOR)?,
+            loading_speed: registry.find(LOADING_SPEED)?,
+        })
     }
 }
 
@@ -183,6 +189,7 @@ pub struct Porosity {
     /// Where pores are elastic.
     unloaded: Option<Column<f64>>,
     stress_factor: Column<f64>,
+    loading_speed: Column<f64>,
     /// Where a porous material can break.
     damage: Option<Column<f64>>,
     density: Column<f64>,
@@ -202,19 +209,38 @@ impl MaterialEffect for Porosity {
         let info = |name, about, life, snapshot| ColumnInfo { name, unit: "", about, life, snapshot };
         let energy = registry.find(eos::INTERNAL_ENERGY)?;
         registry.owner("porosity");
-        let distention = registry.column(info(DISTENTION, "Density of the matrix over that of the body.", Life::State, true));
+        let distention =
+            registry.column(info(DISTENTION, "Density of the matrix over that of the body.", Life::State, true));
         let unloaded = elastic.then(|| {
             let about = "Distention that would be left without load.";
             registry.column(info("unloaded_distention", about, Life::State, false))
         });
         let about = "Rate of volume of the matrix over that of the body.";
         let stress_factor = registry.column(info(STRESS_FACTOR, about, Life::Scratch, false));
+        let loading_speed = registry.column(ColumnInfo {
+            name: LOADING_SPEED,
+            unit: "m/s",
+            about: "Longitudinal speed of further compression.",
+            life: Life::Scratch,
+            snapshot: false,
+        });
         let damage = breaks.then(|| {
             let about = "Growth of the cube root of damage by compaction in this step.";
             registry.column(info(COMPACTION_DAMAGE, about, Life::Scratch, false))
         });
         let (density, pressure, sound_speed) = (core.density.value, core.pressure, core.sound_speed);
-        Some(Self { bodies, distention, unloaded, stress_factor, damage, density, energy, pressure, sound_speed })
+        Some(Self {
+            bodies,
+            distention,
+            unloaded,
+            stress_factor,
+            loading_speed,
+            damage,
+            density,
+            energy,
+            pressure,
+            sound_speed,
+        })
     }
 
     fn name(&self) -> &'static str {
@@ -238,6 +264,7 @@ impl MaterialEffect for Porosity {
         let (density, energy) = (local.view(self.density), local.view(self.energy));
         let (pressure, sound_speed) = (local.view(self.pressure), local.view(self.sound_speed));
         let (distention, stress_factor) = (local.view(self.distention), local.view(self.stress_factor));
+        let loading_speed = local.view(self.loading_speed);
         let pores_left = self.unloaded.map_or(distention, |column| local.view(column));
         let damage = self.damage.map(|column| local.view(column));
         for (porous, range) in self.bodies.runs(local) {
@@ -249,6 +276,7 @@ impl MaterialEffect for Porosity {
                 pressure.set(i, state.pressure);
                 sound_speed.set(i, state.sound_speed);
                 stress_factor.set(i, state.stress_factor);
+                loading_speed.set(i, state.loading_speed);
                 if let Some(damage) = &damage {
                     let crushed = state.unloaded < before;
                     let growth = || porous.damage_root(state.unloaded) - porous.damage_root(before);
@@ -268,7 +296,8 @@ impl MaterialEffect for Porosity {
             }
             for i in range {
                 let divergence = local.motion[i].velocity_gradient.trace();
-                let rate = distention_rate(stress_factor.get(i), divergence) * distention.get(i) / (porous.initial - 1.0);
+                let rate =
+                    distention_rate(stress_factor.get(i), divergence) * distention.get(i) / (porous.initial - 1.0);
                 if -rate > fastest.0 {
                     fastest = (-rate, i);
                 }
@@ -414,7 +443,9 @@ mod tests {
             let limits = pair.each_mut().map(|rig| rig.step(&gradient, 1e-4));
             assert_eq!(limits[0], limits[1]);
             let [solid, porous] = &pair;
-            for (name, values) in solid.columns.registry.entries.iter().map(|e| (e.name.as_str(), e)).filter(|(name, _)| *name != "id") {
+            for (name, values) in
+                solid.columns.registry.entries.iter().map(|e| (e.name.as_str(), e)).filter(|(name, _)| *name != "id")
+            {
                 let other = porous.columns.registry.entries.iter().position(|e| e.name == name).unwrap();
                 let own = solid.columns.registry.entries.iter().position(|e| e.name == values.name).unwrap();
                 assert_eq!(solid.columns.numbers(own), porous.columns.numbers(other), "{name}");
@@ -460,12 +491,15 @@ mod tests {
         };
         let quadratic = "{ quadratic = { P_e = 8e7, P_s = 7e8 } }";
         assert_eq!(checked(&format!("distention = 3\np_alpha = {quadratic}")), Ok(()));
-        assert!(checked(&format!("distention = 0.9\np_alpha = {quadratic}")).unwrap_err().contains("distention is 0.9"));
+        assert!(
+            checked(&format!("distention = 0.9\np_alpha = {quadratic}")).unwrap_err().contains("distention is 0.9")
+        );
         assert!(checked("distention = 3").unwrap_err().contains("one of p_alpha, rho_alpha, epsilon_alpha"));
         let both = format!("distention = 3\np_alpha = {quadratic}\nrho_alpha = {quadratic}");
         assert!(checked(&both).is_err());
         assert!(checked("distention = 3\np_alpha = {}").unwrap_err().contains("quadratic, two_slope, measured"));
-        let elastic = "distention = 3\nrho_alpha = { quadratic = { P_e = 8e7, P_s = 7e8 }, elastic = { c_e = 4e3, c_0 = 5e3 } }";
+        let elastic =
+            "distention = 3\nrho_alpha = { quadratic = { P_e = 8e7, P_s = 7e8 }, elastic = { c_e = 4e3, c_0 = 5e3 } }";
         assert!(checked(elastic).unwrap_err().contains("p_alpha with an elastic branch"));
         let gas = MaterialTable { porosity: porous_basalt(2.0).porosity, ..super::super::testing::gas() };
         assert!(gas.validate("material.gas").is_err());

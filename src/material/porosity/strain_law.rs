@@ -35,13 +35,17 @@ impl StrainTable {
     pub fn validate(&self, place: &str, distention: f64) -> Result<()> {
         all_positive(place, &[("kappa", self.kappa.0)])?;
         if self.kappa.0 > 1.0 {
-            return Err(Error::new(format!("kappa is {}", self.kappa.0)).at(format!("{place}.kappa")).allowed("0 to 1"));
+            return Err(Error::new(format!("kappa is {}", self.kappa.0))
+                .at(format!("{place}.kappa"))
+                .allowed("0 to 1"));
         }
         match (self.p_e, self.elastic_strain) {
             (Some(p_e), None) => all_positive(place, &[("P_e", p_e.0)])?,
             (None, Some(strain)) => none_negative(place, &[("elastic_strain", strain.0)])?,
             _ => {
-                return Err(Error::new("where crushing begins is not clear").at(place).allowed("P_e or elastic_strain"));
+                return Err(Error::new("where crushing begins is not clear")
+                    .at(place)
+                    .allowed("P_e or elastic_strain"));
             }
         }
         match self.alpha_x {

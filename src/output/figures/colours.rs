@@ -17,7 +17,7 @@ const MAP: [[f64; 3]; 9] = [
 ];
 
 /// Told apart by colour-blind readers too (Okabe and Ito 2008).
-const HUES: [RGBColor; 7] = [
+pub const HUES: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),

@@ -5,6 +5,7 @@ pub mod curves;
 pub mod cut;
 pub mod raster;
 pub mod scale;
+pub mod trade_off;
 
 use std::path::Path;
 

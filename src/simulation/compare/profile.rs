@@ -56,6 +56,14 @@ struct Reader<'a, 'c, const D: usize> {
 }
 
 impl<const D: usize> Reader<'_, '_, D> {
+    /// Whether a particle is near enough to the coordinate's axis to count.
+    fn is_in_core(&self, i: usize, core: Option<f64>) -> bool {
+        let (Some(core), Place::Axis { along, .. }) = (core, self.place) else { return true };
+        let mut across = self.stepper.columns.get(self.stepper.settings.core.position, i);
+        across[along] = 0.0;
+        across.norm() <= core
+    }
+
     fn sample(&self, i: usize) -> Sample {
         let (columns, core) = (&self.stepper.columns, &self.stepper.settings.core);
         let (x, v) = (columns.get(core.position, i), columns.get(core.velocity, i));
@@ -106,7 +114,8 @@ pub fn compare<const D: usize>(
         place: profile.place,
     };
     let counts = |s: f64| (profile.within[0]..=profile.within[1]).contains(&s);
-    let samples: Vec<Sample> = (0..stepper.columns.len()).map(|i| reader.sample(i)).filter(|p| counts(p.s)).collect();
+    let near_axis = (0..stepper.columns.len()).filter(|&i| reader.is_in_core(i, profile.core));
+    let samples: Vec<Sample> = near_axis.map(|i| reader.sample(i)).filter(|p| counts(p.s)).collect();
     let mut ends = samples.iter().fold([f64::NEG_INFINITY; 2], |[a, b], p| [a.max(-p.s), b.max(p.s)]);
     comm.all_max(&mut ends);
     let ends = [-ends[0], ends[1]];

@@ -11,7 +11,7 @@ use crate::material::MaterialTable;
 use crate::material::eos::EosTable;
 use crate::motion::Motion;
 use crate::scene::compare::{Compare, Solution};
-use crate::scene::{Body, Flow, Scene, Shape};
+use crate::scene::{Body, Flow, Layer, Scene, Shape};
 use crate::simulation::modes::Shape as ModeShape;
 
 /// A solution ready to be compared with.
@@ -26,6 +26,8 @@ pub struct Profile {
     pub place: Place,
     /// Coordinates that count, m, as the scene counts them.
     pub within: [f64; 2],
+    /// Where only what is near the axis counts: the largest distance from the coordinate's axis, m.
+    pub core: Option<f64>,
     /// State at a coordinate (m) and a time (s).
     pub at: Box<dyn Fn(f64, f64) -> State + Sync>,
     /// Where waves start at t = 0, m: front speeds are measured from here.
@@ -65,11 +67,17 @@ fn needs(what: &str) -> Error {
 /// The solution that `compare` names, with the scene's parameters.
 pub fn of(scene: &Scene, compare: &Compare) -> Result<Reference> {
     let within = compare.within;
+    if compare.core.is_some() && compare.with != Solution::Piston {
+        return Err(needs("a piston, whose core alone can be compared"));
+    }
     match compare.with {
         Solution::Riemann => riemann(scene, within).map(Reference::Profile),
         Solution::Blast => blast(scene, within).map(Reference::Profile),
         Solution::Implosion => implosion(scene, within).map(Reference::Profile),
-        Solution::Piston => piston(scene, within).map(Reference::Profile),
+        Solution::Piston => {
+            let profile = piston(scene, within)?;
+            Ok(Reference::Profile(Profile { core: compare.core, ..profile }))
+        }
         Solution::Impact => impact(scene, within, false).map(Reference::Profile),
         Solution::Release => impact(scene, within, true).map(Reference::Profile),
         Solution::StandingWave => standing_wave(scene).map(Reference::Swing),
@@ -95,10 +103,17 @@ fn gas(scene: &Scene, body: &Body) -> Result<(Gas, f64)> {
 
 /// Lower and upper end of a box along x, m.
 fn ends(body: &Body) -> Result<[f64; 2]> {
-    match body.shape {
-        Shape::Box { size } => Ok([body.centre[0] - 0.5 * size[0], body.centre[0] + 0.5 * size[0]]),
-        _ => Err(needs("bodies with shape box")),
-    }
+    ends_along(body, 0)
+}
+
+/// Lower and upper end of a body with flat ends along an axis, m.
+fn ends_along(body: &Body, axis: usize) -> Result<[f64; 2]> {
+    let length = match body.shape {
+        Shape::Box { size } => size[axis],
+        Shape::Cylinder { height, .. } if axis == 2 => height,
+        _ => return Err(needs("bodies with flat ends: shape box, or a cylinder along z")),
+    };
+    Ok([body.centre[axis] - 0.5 * length, body.centre[axis] + 0.5 * length])
 }
 
 /// Two boxes that share a face across x, the lower one first, and the coordinate of the face.
@@ -122,7 +137,7 @@ fn riemann(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
         return Err(needs("one ratio of heats"));
     }
     let solution = Riemann::new(left, right, gamma)?;
-    Ok(Profile { place: ALONG_X, within, at: Box::new(move |x, t| solution.at(x - face, t)), origin: face })
+    Ok(Profile { place: ALONG_X, within, core: None, at: Box::new(move |x, t| solution.at(x - face, t)), origin: face })
 }
 
 fn blast(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
@@ -130,7 +145,7 @@ fn blast(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
     let (_, gamma) = gas(scene, body)?;
     let solution = Sedov::new(scene.dimension, gamma, body.blast.map_or(0.0, |blast| blast.energy), body.density)?;
     let at = Box::new(move |r: f64, t: f64| solution.at(r, t));
-    Ok(Profile { place: Place::Radius(body.centre), within, at, origin: 0.0 })
+    Ok(Profile { place: Place::Radius(body.centre), within, core: None, at, origin: 0.0 })
 }
 
 fn implosion(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
@@ -140,22 +155,27 @@ fn implosion(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
     let (_, gamma) = gas(scene, body)?;
     let solution = Noh::new(scene.dimension, gamma, body.density, -speed)?;
     let at = Box::new(move |r: f64, t: f64| solution.at(r, t));
-    Ok(Profile { place: Place::Radius(body.centre), within, at, origin: 0.0 })
+    Ok(Profile { place: Place::Radius(body.centre), within, core: None, at, origin: 0.0 })
 }
 
 /// The face of what moves is where its layer ends; the solid lies beyond, where the piston goes.
 fn piston(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
-    let moving = |motion: &Motion| match motion {
-        Motion::Prescribed(v) if v[0] != 0.0 => Some(v[0]),
-        _ => None,
+    // Axis and speed along it.
+    let moving = |motion: &Motion| {
+        let Motion::Prescribed(v) = motion else { return None };
+        let mut given = (0..3).filter(|&axis| v[axis] != 0.0);
+        let axis = given.next().filter(|_| given.next().is_none())?;
+        Some((axis, v[axis]))
     };
-    let layer =
-        scene.layers.iter().find_map(|layer| Some((moving(&layer.motion)?, [layer.part.low[0], layer.part.high[0]])));
-    let body = scene.bodies.iter().find_map(|body| Some((moving(&body.motion)?, ends(body))));
-    let (speed, faces) = match (layer, body) {
+    let of_layer =
+        |layer: &Layer| moving(&layer.motion).map(|(axis, v)| (axis, v, [layer.part.low[axis], layer.part.high[axis]]));
+    let of_body =
+        |body: &Body| moving(&body.motion).map(|(axis, v)| ends_along(body, axis).map(|ends| (axis, v, ends)));
+    let layer = scene.layers.iter().find_map(of_layer);
+    let (along, speed, faces) = match (layer, scene.bodies.iter().find_map(of_body)) {
         (Some(layer), _) => layer,
-        (None, Some((speed, faces))) => (speed, faces?),
-        _ => return Err(needs("a layer or a body with a prescribed velocity along x")),
+        (None, Some(body)) => body?,
+        _ => return Err(needs("a layer or a body with a prescribed velocity along one axis")),
     };
     let driven = scene.bodies.iter().find(|body| moving(&body.motion).is_none());
     let driven = driven.ok_or_else(|| needs("a body that is driven"))?;
@@ -173,7 +193,7 @@ fn piston(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
         // What is behind the face is the piston.
         if x < speed.abs() * t { NOTHING } else { State { velocity: side * state.velocity, ..state } }
     });
-    Ok(Profile { place: ALONG_X, within, at, origin: face })
+    Ok(Profile { place: Place::Axis { along, moves: along }, within, core: None, at, origin: face })
 }
 
 const NOTHING: State =
@@ -221,7 +241,7 @@ fn impact(scene: &Scene, within: [f64; 2], released: bool) -> Result<Profile> {
             State { velocity: state.velocity + rest, ..state }
         })
     };
-    Ok(Profile { place: ALONG_X, within, at, origin: face })
+    Ok(Profile { place: ALONG_X, within, core: None, at, origin: face })
 }
 
 /// Elastic constants of a body's material; a fluid has no shear modulus.

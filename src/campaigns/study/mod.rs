@@ -1,0 +1,21 @@
+//! Studies: what accuracy costs. A file with a `[study]` table names a scene, what is varied of it, and what counts as its
+//! error. Every setting is run at every resolution; out come a table, figures of error against cost with the Pareto front,
+//! orders of convergence, figures at zero spacing, and the cheapest setting for a given error. `--accuracy` later takes the
+//! setting of a run from there.
+
+pub mod analysis;
+pub mod check;
+mod combine;
+pub mod limit;
+pub mod measure;
+pub mod order;
+pub mod pareto;
+pub mod points;
+pub mod record;
+mod report;
+pub mod settings;
+pub mod stored;
+pub mod sweep;
+
+pub use points::{Sources, Study};
+pub use sweep::{Part, run};

@@ -1,0 +1,348 @@
+//! A study before it runs: every setting at every resolution, each with its scene, all of them read and found valid.
+
+use std::path::{Component, Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use toml::{Table, Value};
+
+use super::combine::combined;
+use super::measure::Against;
+use super::settings::{Change, Settings};
+use crate::error::{Error, Result};
+use crate::scene::Scene;
+use crate::scene::source::{Document, Source};
+
+/// Texts of a study and of its scene. Reading them is for one rank; what comes of them is the same on all.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Sources {
+    pub study: Source,
+    pub scene: Source,
+}
+
+/// Pictures of each run would cost as much as small runs themselves.
+const NO_PICTURES: &str = "output.picture=false";
+/// More runs than anybody means to make.
+const MOST_POINTS: usize = 10_000;
+
+/// A study, ready to run.
+#[derive(Debug, Clone)]
+pub struct Study {
+    pub settings: Settings,
+    /// Of the study's file.
+    pub path: String,
+    /// Of the scene's file.
+    pub scene_path: String,
+    /// Names of the settings, in the order of their numbers.
+    pub names: Vec<String>,
+    /// The body whose spacing says what the resolution is; none where none of it is varied.
+    pub spacing_of: Option<String>,
+    /// Setting after setting, each from coarse to fine.
+    pub points: Vec<Point>,
+}
+
+/// One run.
+#[derive(Debug, Clone)]
+pub struct Point {
+    /// From 1.
+    pub number: usize,
+    pub setting: usize,
+    /// What is varied, as after `--set`; `[study.set]` comes before it.
+    pub overrides: Vec<String>,
+    /// m
+    pub spacing: f64,
+    pub identity: String,
+    pub scene: Scene,
+}
+
+impl Point {
+    /// Its folder in that of the study.
+    pub fn folder(&self) -> String {
+        format!("point_{:03}", self.number)
+    }
+}
+
+/// Whether a file holds a study rather than a scene.
+pub fn is_study(path: &Path) -> bool {
+    let table = std::fs::read_to_string(path).ok().and_then(|text| text.parse::<Table>().ok());
+    table.is_some_and(|table| table.contains_key("study"))
+}
+
+/// Reads both files.
+pub fn read(path: &Path, overrides: &[String]) -> Result<Sources> {
+    let study = source(path, overrides)?;
+    let document = Document::parse(&study)?;
+    let settings = Settings::read(&document)?;
+    let scene = without_detours(&path.parent().unwrap_or(Path::new("")).join(&settings.scene));
+    let scene = source(&scene, &[]).map_err(|e| {
+        let what = format!("{}: {}", e.place, e.what);
+        document.error("study.scene", what).allowed("the path of a scene, from the folder of the study's file")
+    })?;
+    drop(document);
+    Ok(Sources { study, scene })
+}
+
+/// `a/b/../c` is `a/c`.
+fn without_detours(path: &Path) -> PathBuf {
+    let mut plain = PathBuf::new();
+    for part in path.components() {
+        match (part, plain.components().next_back()) {
+            (Component::ParentDir, Some(Component::Normal(_))) => {
+                plain.pop();
+            }
+            _ => plain.push(part),
+        }
+    }
+    plain
+}
+
+fn source(path: &Path, overrides: &[String]) -> Result<Source> {
+    let place = path.display().to_string();
+    let text =
+        std::fs::read_to_string(path).map_err(|e| Error::new(format!("cannot read the scene: {e}")).at(&place))?;
+    Ok(Source { path: place, text, overrides: overrides.to_vec() })
+}
+
+/// The scene as it is understood, without what changes no result: identifies what a run answers.
+pub fn identity(scene: &Scene) -> String {
+    blake3::hash(understood(scene).to_string().as_bytes()).to_hex().to_string()
+}
+
+/// What [`identity`] is made of.
+pub fn understood(scene: &Scene) -> Table {
+    let mut table: Table = scene.to_toml().parse().unwrap_or_default();
+    table.remove("title");
+    if let Some(output) = table.get_mut("output").and_then(Value::as_table_mut) {
+        // Vibrations are sampled, and impacts found settled, where the history has a row.
+        output.retain(|key, _| key == "history_every");
+    }
+    if let Some(run) = table.get_mut("run").and_then(Value::as_table_mut) {
+        run.remove("checkpoint_every");
+        // A run that these end has no result.
+        if run.get("until").is_some_and(|until| until.as_str() != Some("settled")) {
+            run.remove("steps");
+            run.remove("max_time");
+        }
+    }
+    table
+}
+
+impl Study {
+    /// Reads every point's scene.
+    pub fn new(sources: &Sources) -> Result<Self> {
+        let document = Document::parse(&sources.study)?;
+        let settings = Settings::read(&document)?;
+        let reader = Reader { document: &document, sources, settings: &settings };
+        reader.check(&reader.scene(&settings.set.iter().collect::<Vec<_>>())?)?;
+        let mut study = Self {
+            path: sources.study.path.clone(),
+            scene_path: sources.scene.path.clone(),
+            names: Vec::new(),
+            spacing_of: None,
+            points: Vec::new(),
+            settings: settings.clone(),
+        };
+        for setting in combined(&settings) {
+            let mut points = Vec::new();
+            for level in &settings.resolution.values {
+                let changes: Vec<&Change> = settings.set.iter().chain(&setting.changes).chain(level).collect();
+                let varied = setting.changes.iter().chain(level).map(Change::text).collect::<Vec<_>>();
+                points.push((reader.scene(&changes)?, varied));
+            }
+            study.add(setting.name, points);
+        }
+        study.find_spacing(&document)?;
+        Ok(study)
+    }
+
+    /// The point of this number.
+    pub fn point(&self, number: usize) -> Result<&Point> {
+        number.checked_sub(1).and_then(|k| self.points.get(k)).ok_or_else(|| {
+            let what = format!("the study has no point {number}");
+            Error::new(what).at("--task").allowed(format!("1 to {}", self.points.len())).bad_input()
+        })
+    }
+
+    /// Takes a setting up, unless it is an earlier one by another name: a value may be that which the scene has.
+    fn add(&mut self, name: String, points: Vec<(Scene, Vec<String>)>) {
+        let identities: Vec<String> = points.iter().map(|(scene, _)| identity(scene)).collect();
+        let same = |number: usize| {
+            let earlier = self.points.iter().filter(|point| point.setting == number);
+            earlier.map(|point| &point.identity).eq(&identities)
+        };
+        if (0..self.names.len()).any(same) {
+            return;
+        }
+        for ((scene, overrides), identity) in points.into_iter().zip(identities) {
+            let (number, setting) = (self.points.len() + 1, self.names.len());
+            self.points.push(Point { number, setting, overrides, spacing: 0.0, identity, scene });
+        }
+        self.names.push(name);
+    }
+
+    /// Spacings are those of the first body that is finer at one resolution than at another.
+    fn find_spacing(&mut self, document: &Document) -> Result<()> {
+        if self.points.len() > MOST_POINTS {
+            let what = format!("{} runs", self.points.len());
+            return Err(document.error("study", what).allowed(format!("{MOST_POINTS} and fewer")));
+        }
+        let levels = self.settings.resolution.values.len();
+        let first = &self.points[..levels];
+        let bodies = first.iter().map(|point| point.scene.bodies.len()).min().unwrap_or(0);
+        let spacing = |point: &Point, body: usize| point.scene.bodies[body].lattice.spacing;
+        let varies = |body: &usize| first.iter().any(|point| spacing(point, *body) != spacing(&first[0], *body));
+        let body = (0..bodies).find(varies);
+        if levels > 1 && body.is_none() {
+            return Err(document
+                .error("study.resolution", "no body gets another spacing")
+                .allowed("BODY.spacing or BODY.particles; what is no resolution goes into [study.vary]"));
+        }
+        self.spacing_of = body.map(|body| first[0].scene.bodies[body].name.clone());
+        for point in &mut self.points {
+            let body = body.unwrap_or(0).min(point.scene.bodies.len() - 1);
+            point.spacing = point.scene.bodies[body].lattice.spacing;
+        }
+        // Points of a setting go from coarse to fine, however its list does.
+        self.points.sort_by(|a, b| a.setting.cmp(&b.setting).then(b.spacing.total_cmp(&a.spacing)));
+        self.points.iter_mut().enumerate().for_each(|(k, point)| point.number = k + 1);
+        Ok(())
+    }
+}
+
+/// Reads scenes, and says of what is wrong with them where the study's file has it.
+struct Reader<'a> {
+    document: &'a Document<'a>,
+    sources: &'a Sources,
+    settings: &'a Settings,
+}
+
+impl Reader<'_> {
+    fn scene(&self, changes: &[&Change]) -> Result<Scene> {
+        let texts = changes.iter().map(|change| change.text());
+        let pictures = (!self.settings.set.iter().any(|set| set.key == "output.picture")).then(|| NO_PICTURES.into());
+        let overrides: Vec<String> = pictures.into_iter().chain(texts).collect();
+        Scene::parse(&self.sources.scene.path, &self.sources.scene.text, &overrides)
+            .map_err(|e| self.placed(e, changes))
+    }
+
+    /// An error that names an override is placed at the key it came from; any other is told with the point it came up in.
+    fn placed(&self, error: Error, changes: &[&Change]) -> Error {
+        let set = error.place.strip_prefix("--set ");
+        if let Some(change) = changes.iter().find(|change| set == Some(&change.text())) {
+            let place = self.document.place(&change.path);
+            let what = if error.what.contains(&change.key) || error.what.starts_with("unknown") {
+                error.what.clone()
+            } else {
+                format!("{} = {}: {}", change.key, change.value, error.what)
+            };
+            return Error { what, ..error.at(place) };
+        }
+        if changes.is_empty() {
+            return error;
+        }
+        let texts: Vec<String> = changes.iter().map(|change| change.text()).collect();
+        Error { what: format!("{} (with {})", error.what, texts.join(", ")), ..error }
+    }
+
+    fn check(&self, base: &Scene) -> Result<()> {
+        if base.threshold.is_some() {
+            return Err(self
+                .document
+                .error("study.scene", "the scene asks for a search, and a study makes single runs")
+                .allowed("threshold = false in [study.set]"));
+        }
+        if self.settings.measure.against == Against::Exact && base.compare.is_none() {
+            return Err(self
+                .document
+                .error("study.error", "the scene names no exact solution")
+                .allowed("[compare] in the scene, or value = ..., or against = \"finest\""));
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SCENE: &str = "[[body]]\nname = \"ball\"\nshape = { disc = { radius = 1 } }\nmaterial = \"basalt\"\n\
+        particles = 100\n[material.basalt.strength]\n[numerics]\neta = 1.4\n[run]\nuntil = 1\n";
+    const HEAD: &str = "[study]\nscene = \"a.toml\"\nerror = \"energy_drift\"\nagainst = \"finest\"\n";
+
+    fn study(text: &str) -> Result<Study> {
+        let source = |path: &str, text: &str| Source { path: path.into(), text: text.into(), overrides: Vec::new() };
+        let scene = format!("dimension = 2\n{SCENE}");
+        Study::new(&Sources { study: source("s.toml", &format!("{HEAD}{text}")), scene: source("a.toml", &scene) })
+    }
+
+    #[test]
+    fn a_grid_has_every_setting_at_every_resolution() {
+        let study = study(
+            "[study.resolution]\nball.particles = [400, 100]\n[study.vary]\n\
+             numerics.kernel = [\"cubic_spline\", \"wendland_c2\"]\nmaterial.basalt.strength = [true, false]\n",
+        )
+        .unwrap();
+        assert_eq!(
+            study.names,
+            [
+                "cubic_spline, strength",
+                "cubic_spline, no strength",
+                "wendland_c2, strength",
+                "wendland_c2, no strength"
+            ]
+        );
+        assert_eq!((study.points.len(), study.spacing_of.as_deref()), (8, Some("ball")));
+        // From coarse to fine, whatever the list does.
+        assert!(study.points[0].spacing > 1.9 * study.points[1].spacing);
+        assert_eq!(
+            study.points[3].overrides,
+            ["numerics.kernel=\"cubic_spline\"", "material.basalt.strength=false", "ball.particles=400"]
+        );
+        assert!(
+            !study.points[3].scene.materials[0].has_strength() && study.points[0].scene.materials[0].has_strength()
+        );
+        assert_eq!(study.points[7].number, 8);
+    }
+
+    #[test]
+    fn one_at_a_time_goes_out_from_the_scene() {
+        let study = study(
+            "combine = \"one_at_a_time\"\n[study.vary]\nnumerics.eta = [1.2, 1.4]\nnumerics.corrected_gradient = [true]\n",
+        )
+        .unwrap();
+        // eta 1.4 is what the scene has.
+        assert_eq!(study.names, ["as the scene", "eta 1.2", "corrected_gradient"]);
+        assert_eq!(study.points[0].scene.numerics.eta, 1.4);
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_point_is_placed_in_the_study() {
+        for (text, place, says) in [
+            ("[study.vary]\nnumerics.etaa = [1.2]\n", "s.toml:6: study.vary.numerics.etaa", "did you mean `eta`?"),
+            ("[study.vary]\nnumerics.eta = [1.2, 9]\n", "s.toml:6: study.vary.numerics.eta", "9 is out of range"),
+            ("[study.vary]\nball.radiuss = [1]\n", "s.toml:6: study.vary.ball.radiuss", "did you mean `radius`?"),
+            ("[study.set]\nrunn.until = 3\n", "s.toml:1: study", "nothing is varied"),
+            (
+                "[study.set]\nrunn.until = 3\n[study.vary]\nnumerics.eta = [1]\n",
+                "s.toml:6: study.set.runn",
+                "did you mean `run`?",
+            ),
+            ("[study.resolution]\nnumerics.eta = [1, 2]\n", "s.toml:5: study.resolution", "no body gets"),
+        ] {
+            let error = study(text).err().unwrap_or_else(|| panic!("{text}"));
+            assert!(error.place.starts_with(place) && error.what.contains(says), "{error}\n{text}");
+        }
+    }
+
+    #[test]
+    fn identity_knows_what_changes_an_answer() {
+        let scene = |overrides: &[&str]| {
+            let overrides: Vec<String> = overrides.iter().map(|text| text.to_string()).collect();
+            Scene::parse("a.toml", SCENE, &overrides).map(|scene| identity(&scene)).unwrap_or_else(|e| panic!("{e}"))
+        };
+        let same = ["title=x", "output.picture=false", "output.snapshots=3", "run.checkpoint_every=5"];
+        let disc = "dimension=2";
+        assert!(same.iter().all(|change| scene(&[disc, change]) == scene(&[disc])));
+        let other = ["run.until=2", "ball.radius=2", "numerics.eta=1.5", "output.history_every=3"];
+        assert!(other.iter().all(|change| scene(&[disc, change]) != scene(&[disc])));
+    }
+}

@@ -1,0 +1,112 @@
+//! A point's result on disk, in its own folder: tasks of a job array write side by side, and a study that was interrupted
+//! goes on where it was.
+
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::points::{Point, Study};
+use crate::domain::comm::Comm;
+use crate::error::{Error, Result};
+use crate::output::publish::replace_text;
+use crate::output::{Summary, agree};
+
+/// What came of a point.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Record {
+    /// Of the scene that was run.
+    pub identity: String,
+    /// Why it failed; empty where it did not.
+    pub failed: String,
+    pub state_hash: String,
+    /// Every number of its summary, by dotted keys.
+    pub figures: Vec<(String, f64)>,
+}
+
+impl Record {
+    pub fn of(point: &Point, run: std::result::Result<&Summary, &Error>) -> Self {
+        let identity = point.identity.clone();
+        match run {
+            Ok(summary) => Self {
+                identity,
+                failed: String::new(),
+                state_hash: summary.state_hash.clone(),
+                figures: figures(summary),
+            },
+            Err(error) => Self { identity, failed: error.to_string(), state_hash: String::new(), figures: Vec::new() },
+        }
+    }
+
+    pub fn figure(&self, name: &str) -> Option<f64> {
+        self.figures.iter().find(|(key, _)| key == name).map(|(_, value)| *value)
+    }
+}
+
+fn figures(summary: &Summary) -> Vec<(String, f64)> {
+    fn collect(prefix: &str, value: &Value, found: &mut Vec<(String, f64)>) {
+        match value {
+            Value::Object(inner) => inner.iter().for_each(|(key, value)| {
+                let key = if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
+                collect(&key, value, found);
+            }),
+            other => found.extend(other.as_f64().map(|number| (prefix.to_string(), number))),
+        }
+    }
+    let mut found = Vec::new();
+    collect("", &serde_json::to_value(summary).unwrap_or_default(), &mut found);
+    found
+}
+
+fn file(directory: &Path, point: &Point) -> PathBuf {
+    directory.join(point.folder()).join("point.json")
+}
+
+/// What came of every point so far, on every rank. Collective.
+pub fn read(study: &Study, directory: &Path, comm: &Comm) -> Result<Vec<Option<Record>>> {
+    let read = || study.points.iter().map(|point| read_one(directory, point)).collect::<Result<Vec<_>>>();
+    let mine = if comm.is_root() { read() } else { Ok(Vec::new()) };
+    let mut bytes = serde_json::to_vec(mine.as_deref().unwrap_or_default()).map_err(|e| Error::new(e.to_string()))?;
+    agree(comm, mine)?;
+    comm.broadcast(&mut bytes);
+    serde_json::from_slice(&bytes).map_err(|e| Error::new(e.to_string()))
+}
+
+fn read_one(directory: &Path, point: &Point) -> Result<Option<Record>> {
+    let path = file(directory, point);
+    let place = |e: String| Error::new(e).at(path.display().to_string());
+    let text = match std::fs::read_to_string(&path) {
+        Ok(text) => text,
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+        Err(e) => return Err(place(e.to_string())),
+    };
+    let record: Record = serde_json::from_str(&text).map_err(|e| place(e.to_string()))?;
+    if record.identity != point.identity {
+        let what = "this run belongs to another study, or to this one before it was changed";
+        return Err(place(what.into()).allowed("the same study, or another folder (--out)").bad_input());
+    }
+    Ok(Some(record))
+}
+
+/// Collective.
+pub fn write(directory: &Path, point: &Point, record: &Record, comm: &Comm) -> Result<()> {
+    let write = || {
+        let text = serde_json::to_string_pretty(record).map_err(|e| Error::new(e.to_string()))?;
+        replace_text(&file(directory, point), &(text + "\n"))
+    };
+    agree(comm, if comm.is_root() { write() } else { Ok(()) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::summary::Figures;
+
+    #[test]
+    fn figures_have_dotted_keys() {
+        let errors = Figures(vec![("density_l1".into(), 0.02), ("nothing".into(), f64::NAN)]);
+        let found = figures(&Summary { steps: 7, errors, ..Default::default() });
+        let of = |name: &str| found.iter().find(|(key, _)| key == name).map(|(_, value)| *value);
+        assert_eq!((of("steps"), of("errors.density_l1"), of("errors.nothing")), (Some(7.0), Some(0.02), None));
+    }
+}

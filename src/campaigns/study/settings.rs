@@ -1,0 +1,311 @@
+//! `[study]`: which scene, what is varied, and what counts as its error; read and validated. The file has a `title` beside it.
+//!
+//! Lists of one key in `[study.vary]` are axes of their own. Lists of one table, `[study.resolution]` or
+//! `[study.together.NAME]`, change together: their first values belong to each other, then their second ones, and so on.
+
+use serde::{Deserialize, Serialize};
+use toml::{Table, Value};
+
+use super::measure::{Against, Measure};
+use crate::error::{Error, Result};
+use crate::scene::keys;
+use crate::scene::source::Document;
+use crate::units;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RawFile {
+    #[serde(default)]
+    title: String,
+    study: RawStudy,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RawStudy {
+    scene: String,
+    error: String,
+    value: Option<Value>,
+    uncertainty: Option<Value>,
+    against: Option<RawAgainst>,
+    target: Option<Value>,
+    #[serde(default)]
+    combine: Combine,
+    #[serde(default)]
+    set: Table,
+    #[serde(default)]
+    resolution: Table,
+    #[serde(default)]
+    vary: Table,
+    #[serde(default)]
+    together: Table,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum RawAgainst {
+    Finest,
+}
+
+/// How axes combine into settings; each setting is run at every resolution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Combine {
+    /// Each value of an axis with each of the others.
+    #[default]
+    Grid,
+    /// The scene as it is, and each value of each axis alone over it.
+    OneAtATime,
+}
+
+/// One value of a dotted key.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Change {
+    /// As in `--set`.
+    pub key: String,
+    pub value: Value,
+    /// Where the study's file has it: `study.vary.numerics.eta`.
+    pub path: String,
+}
+
+impl Change {
+    /// As after `--set`.
+    pub fn text(&self) -> String {
+        format!("{}={}", self.key, self.value)
+    }
+}
+
+/// What takes several values, each of them one change or several that belong together.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Axis {
+    /// Of a table in `[study.together]`; empty for a single key.
+    pub name: String,
+    pub values: Vec<Vec<Change>>,
+}
+
+/// The table, validated as far as it goes without the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Settings {
+    pub title: String,
+    /// Relative to the study's file.
+    pub scene: String,
+    pub measure: Measure,
+    /// Errors for which the cheapest setting is named, largest first.
+    pub targets: Vec<f64>,
+    pub combine: Combine,
+    /// Over the scene, in every run.
+    pub set: Vec<Change>,
+    /// One value where nothing is said of resolution.
+    pub resolution: Axis,
+    pub axes: Vec<Axis>,
+}
+
+impl Settings {
+    pub fn read(document: &Document) -> Result<Self> {
+        let raw: RawFile = keys::deserialize(document)?;
+        let study = raw.study;
+        let mut resolution = together(document, "study.resolution", &study.resolution)?;
+        if resolution.values.is_empty() {
+            resolution.values.push(Vec::new());
+        }
+        let mut axes = Vec::new();
+        for change in changes("study.vary", &study.vary) {
+            let values = list(document, &change)?;
+            let single = values.into_iter().map(|value| vec![Change { value, ..change.clone() }]);
+            axes.push(Axis { name: String::new(), values: single.collect() });
+        }
+        for (name, table) in &study.together {
+            let path = format!("study.together.{name}");
+            let Value::Table(table) = table else {
+                return Err(document.error(&path, "not a table").allowed(format!("[{path}] with lists of one length")));
+            };
+            axes.push(Axis { name: name.clone(), ..together(document, &path, table)? });
+        }
+        if axes.is_empty() && resolution.values.len() < 2 {
+            return Err(document
+                .error("study", "nothing is varied")
+                .allowed("lists of values in [study.resolution] or [study.vary]"));
+        }
+        Ok(Self {
+            measure: measure(document, &study)?,
+            targets: targets(document, study.target.as_ref())?,
+            title: raw.title,
+            scene: study.scene,
+            combine: study.combine,
+            set: changes("study.set", &study.set),
+            resolution,
+            axes,
+        })
+    }
+}
+
+/// The leaves of a table of dotted keys.
+fn changes(path: &str, table: &Table) -> Vec<Change> {
+    fn collect(path: &str, key: &str, table: &Table, found: &mut Vec<Change>) {
+        for (name, value) in table {
+            let key = if key.is_empty() { name.clone() } else { format!("{key}.{name}") };
+            match value {
+                Value::Table(inner) if !inner.is_empty() => collect(path, &key, inner, found),
+                _ => found.push(Change { path: format!("{path}.{key}"), key, value: value.clone() }),
+            }
+        }
+    }
+    let mut found = Vec::new();
+    collect(path, "", table, &mut found);
+    found
+}
+
+fn list(document: &Document, change: &Change) -> Result<Vec<Value>> {
+    match &change.value {
+        Value::Array(values) if !values.is_empty() => Ok(values.clone()),
+        other => Err(document
+            .error(&change.path, format!("{other} is no list of values"))
+            .allowed(format!("{} = [first, second, ...]", change.key))),
+    }
+}
+
+/// Keys whose lists have one length and change together.
+fn together(document: &Document, path: &str, table: &Table) -> Result<Axis> {
+    let keys = changes(path, table);
+    let mut values: Vec<Vec<Change>> = Vec::new();
+    for change in &keys {
+        let list = list(document, change)?;
+        if values.is_empty() {
+            values.resize(list.len(), Vec::new());
+        }
+        if values.len() != list.len() {
+            let what = format!("{} values, and `{}` has {}", list.len(), keys[0].key, values.len());
+            return Err(document.error(&change.path, what).allowed("lists of one length: they change together"));
+        }
+        for (group, value) in values.iter_mut().zip(list) {
+            group.push(Change { value, ..change.clone() });
+        }
+    }
+    Ok(Axis { name: String::new(), values })
+}
+
+fn measure(document: &Document, study: &RawStudy) -> Result<Measure> {
+    let figure = if study.error.contains('.') { study.error.clone() } else { format!("errors.{}", study.error) };
+    let number = |key: &str, value: &Option<Value>| {
+        value
+            .as_ref()
+            .map(|value| number(value).map_err(|e| document.error(&format!("study.{key}"), e.what)))
+            .transpose()
+    };
+    let (value, uncertainty) = (number("value", &study.value)?, number("uncertainty", &study.uncertainty)?);
+    let against = match (value, &study.against) {
+        (Some(_), Some(_)) => {
+            return Err(document.error("study.against", "both `value` and `against` are given").allowed("one of them"));
+        }
+        (Some(0.0), None) => {
+            return Err(document.error("study.value", "errors are relative, and none is to zero").allowed("not 0"));
+        }
+        (Some(value), None) => Against::Value { value, uncertainty: uncertainty.unwrap_or(0.0).abs() },
+        (None, Some(RawAgainst::Finest)) => Against::Finest,
+        (None, None) if figure.starts_with("errors.") => Against::Exact,
+        (None, None) => {
+            return Err(document
+                .error("study.error", format!("`{figure}` has nothing to be compared with"))
+                .allowed("value = ..., or against = \"finest\", or a key of `errors` in summary.json"));
+        }
+    };
+    if uncertainty.is_some() && value.is_none() {
+        return Err(document.error("study.uncertainty", "the uncertainty of no value").allowed("beside value = ..."));
+    }
+    Ok(Measure { figure, against })
+}
+
+/// A bare number, which is SI, or a text with a unit.
+fn number(value: &Value) -> Result<f64> {
+    match value {
+        Value::Integer(n) => Ok(*n as f64),
+        Value::Float(x) if x.is_finite() => Ok(*x),
+        Value::String(text) => units::si(text),
+        other => Err(Error::new(format!("{other} is not a number"))),
+    }
+}
+
+fn targets(document: &Document, given: Option<&Value>) -> Result<Vec<f64>> {
+    let one = |value: &Value| match value {
+        Value::String(text) => accuracy(text),
+        other => accuracy(&other.to_string()),
+    };
+    let read = |value: &Value| one(value).map_err(|what| document.error("study.target", what).allowed(ACCURACIES));
+    let mut targets = match given {
+        None => Vec::new(),
+        Some(Value::Array(list)) => list.iter().map(read).collect::<Result<Vec<_>>>()?,
+        Some(value) => vec![read(value)?],
+    };
+    targets.sort_by(|a, b| b.total_cmp(a));
+    targets.dedup();
+    Ok(targets)
+}
+
+pub const ACCURACIES: &str = "\"1 %\" or 0.01, more than 0";
+
+/// A relative error: `1 %`, `1%` or `0.01`.
+pub fn accuracy(text: &str) -> std::result::Result<f64, String> {
+    let (number, scale) = match text.trim().strip_suffix('%') {
+        Some(number) => (number, 0.01),
+        None => (text, 1.0),
+    };
+    let value = number.trim().parse::<f64>().ok().map(|x| scale * x);
+    value.filter(|x| *x > 0.0 && x.is_finite()).ok_or_else(|| format!("`{text}` is no relative error"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::source::Source;
+
+    fn read(text: &str) -> Result<Settings> {
+        let source = Source { path: "s.toml".into(), text: text.into(), overrides: Vec::new() };
+        Settings::read(&Document::parse(&source)?)
+    }
+
+    const HEAD: &str = "[study]\nscene = \"a.toml\"\nerror = \"density_l1\"\n";
+
+    #[test]
+    fn lists_of_a_group_change_together() {
+        let settings = read(&format!(
+            "{HEAD}target = [\"1 %\", 0.05]\n[study.resolution]\nrock.spacing = [\"2 m\", 1]\nrock.size = [[1, 2], [1, 3]]\n\
+             [study.vary]\nnumerics.eta = [1.2, 1.4, 1.6]\n[study.together.viscosity]\nmaterial.gas.viscosity.alpha = [1, 2]\n\
+             material.gas.viscosity.beta = [2, 4]\n"
+        ))
+        .unwrap();
+        let texts = |axis: &Axis, k: usize| axis.values[k].iter().map(Change::text).collect::<Vec<_>>();
+        assert_eq!(texts(&settings.resolution, 0), ["rock.spacing=\"2 m\"", "rock.size=[1, 2]"]);
+        assert_eq!(texts(&settings.resolution, 1), ["rock.spacing=1", "rock.size=[1, 3]"]);
+        assert_eq!(settings.axes.len(), 2);
+        assert_eq!(texts(&settings.axes[0], 2), ["numerics.eta=1.6"]);
+        assert_eq!(settings.axes[1].name, "viscosity");
+        assert_eq!(texts(&settings.axes[1], 1), ["material.gas.viscosity.alpha=2", "material.gas.viscosity.beta=4"]);
+        assert_eq!((settings.targets, settings.combine), (vec![0.05, 0.01], Combine::Grid));
+        assert_eq!(settings.measure, Measure { figure: "errors.density_l1".into(), against: Against::Exact });
+    }
+
+    #[test]
+    fn accuracies() {
+        assert_eq!(["1%", "0.5 %", "0.02"].map(|text| accuracy(text).unwrap()), [0.01, 0.005, 0.02]);
+        assert!(["", "%", "-1 %", "0", "much", "nan"].iter().all(|text| accuracy(text).is_err()));
+    }
+
+    #[test]
+    fn what_makes_no_study() {
+        let vary = "[study.vary]\nnumerics.eta = [1.2]\n";
+        for (text, place, says) in [
+            (format!("{HEAD}combin = 1\n{vary}"), "s.toml:4: study.combin", "did you mean `combine`?"),
+            (HEAD.to_string(), "s.toml:1: study", "nothing is varied"),
+            (format!("{HEAD}[study.vary]\nnumerics.eta = 1.2\n"), "s.toml:5", "no list"),
+            (format!("{HEAD}[study.resolution]\na.spacing = [1, 2]\nb.spacing = [1]\n"), "s.toml:6", "has 2"),
+            (format!("{HEAD}value = 0\n{vary}"), "s.toml:4", "relative"),
+            (format!("{HEAD}value = 1\nagainst = \"finest\"\n{vary}"), "s.toml:5", "both"),
+            (format!("{HEAD}uncertainty = 1\n{vary}"), "s.toml:4", "no value"),
+            (format!("{HEAD}target = \"good\"\n{vary}"), "s.toml:4", "no relative error"),
+            (HEAD.replace("density_l1", "outcome.time") + vary, "s.toml:3", "nothing to be compared with"),
+        ] {
+            let error = read(&text).err().unwrap_or_else(|| panic!("{text}"));
+            assert!(error.place.starts_with(place) && error.what.contains(says), "{error}\n{text}");
+        }
+    }
+}

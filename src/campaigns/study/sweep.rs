@@ -1,0 +1,125 @@
+//! The runs of a study, one after another in one job, or one of them in a task of a job array.
+
+use std::path::Path;
+
+use super::analysis::Analysis;
+use super::points::{Point, Study};
+use super::record::{self, Record};
+use super::report;
+use crate::domain::comm::Comm;
+use crate::error::{Error, Result};
+use crate::output::{Summary, agree};
+use crate::scene::{Until, keys};
+use crate::simulation::{self, Ended, Options, log};
+
+/// What to do of a study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// Every point that has no result yet, then tables and figures.
+    All,
+    /// One point, numbered from 1; nothing more.
+    Task(usize),
+    /// Tables and figures from what there is.
+    Collect,
+}
+
+/// Runs a part of the study, or goes on with it. Collective.
+pub fn run(study: &Study, part: Part, options: &Options, comm: &Comm) -> Result<Ended> {
+    let mut sweep = Sweep { study, options, comm, records: record::read(study, &options.directory, comm)? };
+    match part {
+        Part::Task(number) => {
+            return sweep.run(study.point(number)?);
+        }
+        Part::All => {
+            for point in &study.points {
+                if sweep.run(point)? == Ended::Interrupted {
+                    return Ok(Ended::Interrupted);
+                }
+                sweep.check_figure()?;
+            }
+        }
+        Part::Collect if sweep.records.iter().all(Option::is_none) => {
+            let what = "no point has a result here";
+            let allowed = "the folder of a study some of whose points were run (--out)";
+            return Err(Error::new(what).at(options.directory.display().to_string()).allowed(allowed).bad_input());
+        }
+        Part::Collect => sweep.check_figure()?,
+    }
+    sweep.log_here()?;
+    let analysis = Analysis::new(study, &sweep.records);
+    let write = || report::write(&analysis, &options.directory);
+    agree(comm, if comm.is_root() { write() } else { Ok(()) })?;
+    report::print(&analysis, &options.directory);
+    Ok(Ended::Finished)
+}
+
+/// A run that `run.steps` or `run.max_time` ends answers another question. They are how a study gets past a setting with
+/// which time hardly moves.
+fn to_its_end(point: &Point, summary: Summary) -> Result<Summary> {
+    match point.scene.run.until {
+        Until::Time(end) if summary.time < (1.0 - 1e-9) * end => {
+            let what = format!("the run ended at {:.4e} s of {end:.4e} s, after {} steps", summary.time, summary.steps);
+            Err(Error::new(what))
+        }
+        _ => Ok(summary),
+    }
+}
+
+struct Sweep<'a> {
+    study: &'a Study,
+    options: &'a Options,
+    comm: &'a Comm,
+    records: Vec<Option<Record>>,
+}
+
+impl Sweep<'_> {
+    /// Runs a point and records what came of it, unless that is known. Collective.
+    fn run(&mut self, point: &Point) -> Result<Ended> {
+        let (study, comm, number) = (self.study, self.comm, point.number);
+        let what = format!("point {number} of {}: {}", study.points.len(), study.names[point.setting]);
+        self.log_here()?;
+        if self.records[number - 1].is_some() {
+            tracing::info!("{what}: done before");
+            return Ok(Ended::Finished);
+        }
+        tracing::info!("{what}, spacing {:.4e} m", point.spacing);
+        let directory = self.options.directory.join(point.folder());
+        simulation::directory::prepare(&directory, self.options.resume, comm)?;
+        let run = simulation::run(&point.scene, &Options { directory, ..self.options.clone() }, comm);
+        if matches!(&run, Ok(report) if report.ended == Ended::Interrupted) {
+            return Ok(Ended::Interrupted);
+        }
+        let run = run.and_then(|report| to_its_end(point, report.summary));
+        let record = Record::of(point, run.as_ref());
+        record::write(&self.options.directory, point, &record, comm)?;
+        self.log_here()?;
+        match (record.figure(&study.settings.measure.figure), record.failed.as_str()) {
+            (Some(figure), _) => tracing::info!("point {number}: {} = {figure:.4e}", study.settings.measure.figure),
+            (None, "") => {}
+            (None, failed) if comm.is_root() => tracing::warn!("point {number} failed, the study goes on: {failed}"),
+            (None, _) => {}
+        }
+        self.records[number - 1] = Some(record);
+        Ok(Ended::Finished)
+    }
+
+    /// A figure that runs do not have is found with the first of them.
+    fn check_figure(&self) -> Result<()> {
+        let name = &self.study.settings.measure.figure;
+        let mut done = self.records.iter().flatten().filter(|record| record.failed.is_empty());
+        let Some(record) = done.next().filter(|record| record.figure(name).is_none()) else { return Ok(()) };
+        let table = name.split('.').next().unwrap_or_default();
+        let known = record.figures.iter().map(|(key, _)| key).filter(|key| key.starts_with(table));
+        let known: Vec<String> = known.map(|key| key.trim_start_matches("errors.").to_string()).collect();
+        let found = name.trim_start_matches("errors.");
+        let near = keys::nearest(found, &known).map_or(String::new(), |near| format!(", did you mean `{near}`?"));
+        let error = Error::new(format!("runs have no figure `{found}`{near}")).allowed(known.join(", "));
+        Err(error.at(format!("{}: study.error", self.study.path)).bad_input())
+    }
+
+    /// What the study says itself goes to its own log.
+    fn log_here(&self) -> Result<()> {
+        let log = |directory: &Path| log::to_file(&directory.join("log.txt"), true);
+        agree(self.comm, if self.comm.is_root() { log(&self.options.directory) } else { Ok(()) })
+    }
+}
