@@ -179,18 +179,22 @@ fn tables_by_hand() {
         assert_eq!([ejecta.rows[0].mass, ejecta.rows[0].mass_above_face], [9.0, 6.0]);
         assert_eq!([at(10.0).mass, ejecta.rows[ejecta.rows.len() - 1].mass, ejecta.rows[0].speed], [3.0, 3.0, 0.01]);
 
-        // Cells of 2 m: three of them 1.5 and 3 m deep, one as it was.
-        let aside = |y: f64, grain: Grain| Grain { aside: [grain.aside[0], y], ..grain };
-        let ground = || [grain(-3.5, 1.0, 0.0), grain(-5.0, 0.5, 0.0), grain(-2.0, -3.0, 0.0), grain(-0.5, 5.0, 0.0)];
-        let bowl = |dimension| {
-            let grains = ground().into_iter().chain([aside(-1.5, grain(-2.0, 1.0, 0.0))]);
-            Bowl::measure(comm, grains, (1.0, 12.0), dimension)
+        // Cells of 2 m: three of them 1.5 and 3 m deep, one as it was. The particles are cubes of 1 m.
+        let cube = |height: f64, x: f64, y: f64| Grain { aside: [x, y], volume: 1.0, ..grain(height, 0.0, 0.0) };
+        let ground = [(-3.5, 1.0), (-5.0, 0.5), (-2.0, -3.0), (-0.5, 5.0)];
+        let bowl = |dimension: usize| {
+            let y = if dimension == 3 { 1.0 } else { 0.0 };
+            let grains = ground.iter().map(|(height, x)| cube(*height, *x, y));
+            Bowl::measure(comm, grains.chain([cube(-2.0, 1.0, -1.5)]), (1.0, 12.0), dimension)
         };
         let radius = (3.0 * 4.0 / std::f64::consts::PI).sqrt();
         assert_eq!((bowl(3).size(), bowl(3).table().lines().count()), ([3.0, radius], 5));
         assert!(bowl(3).table().contains("\n1e0,-1e0,-1.5e0\n") && bowl(3).table().contains("\n-3e0,1e0,-1.5e0\n"));
-        // In 2D the last lies over the first.
+        // In 2D there is one row of cells, half of which the last particle reaches.
         assert_eq!(bowl(2).size(), [1.5, 2.0]);
+        // A large particle fills what lies below it and beside.
+        let wide = Grain { volume: 64.0, ..cube(-1.0, 1.0, 1.0) };
+        assert_eq!(Bowl::measure(comm, [wide].into_iter(), (1.0, 12.0), 3).table().lines().count(), 1 + 9);
         let flat = Bowl::measure(comm, [grain(-0.5, 1.0, 0.0)].into_iter(), (1.0, 10.0), 3);
         assert_eq!(flat.size(), [0.0; 2]);
 
@@ -265,7 +269,7 @@ fn csv(run: &Path, name: &str) -> String {
     std::fs::read_to_string(run.join(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
 }
 
-/// A porous shell around solid ground, hit: pores are crushed, and counted alike on one rank and on two.
+/// Porous ground beside a solid projectile: pores are crushed, and counted alike on one rank and on two.
 #[test]
 fn porous_ground_is_crushed() {
     let scene = GROUND
@@ -274,7 +278,7 @@ fn porous_ground_is_crushed() {
         .replace("\"6 ms\"", "\"3 ms\"\n[numerics]\nsmoothing_length = { follows = \"density\" }");
     let run = |ranks: usize| {
         let dir = tempfile::tempdir().expect("a temporary directory");
-        Launch::in_directory(ranks, dir.path(), &scene, &[]).run().expect_code(0);
+        Launch::in_directory(ranks, dir.path(), &scene, &[]).limit(400).run().expect_code(0);
         let out = dir.path().join("run");
         (dir, summary(&out), ["ejecta.csv", "crater.csv", "distention.csv"].map(|name| csv(&out, name)))
     };
@@ -286,13 +290,14 @@ fn porous_ground_is_crushed() {
     assert_eq!(figure("minimum_distention"), 1.0);
     assert!(figure("compacted_volume") > figure("crushed_volume") * 2.0 / 3.0 && figure("crushed_volume") > 0.0);
     assert!(figure("compacted_volume") < figure("ground_mass") / 900.0);
-    // Crushed at the surface, whole far below.
+    // Crushed near the bowl, whole far below.
     let profile: Vec<f64> = one.2[2]
         .lines()
         .skip(1)
         .map(|row| row.split(',').nth(1).and_then(|x| x.parse().ok()).expect("a number"))
         .collect();
-    assert!(profile[0] < 1.5 && profile[profile.len() - 1] > 2.9, "{profile:?}");
+    let least = profile.iter().fold(f64::INFINITY, |least: f64, alpha| least.min(*alpha));
+    assert!(least < 2.6 && profile[profile.len() - 1] > 2.9, "{profile:?}");
     assert!(one.0.path().join("run/distention.png").exists());
 }
 
@@ -301,7 +306,7 @@ fn porous_ground_is_crushed() {
 fn a_small_impact_leaves_a_crater() {
     let run = |ranks: usize| {
         let dir = tempfile::tempdir().expect("a temporary directory");
-        Launch::in_directory(ranks, dir.path(), GROUND, &[]).run().expect_code(0);
+        Launch::in_directory(ranks, dir.path(), GROUND, &[]).limit(400).run().expect_code(0);
         let out = dir.path().join("run");
         let tables: BTreeMap<&str, String> = ["ejecta.csv", "crater.csv"].map(|name| (name, csv(&out, name))).into();
         (dir, summary(&out), tables)
@@ -335,7 +340,7 @@ fn free_bodies_with_a_face_keep_their_remnants() {
         .replace("half_sphere = { radius = \"10 m\" }", "box = { size = [\"20 m\", \"20 m\", \"10 m\"] }")
         .replace("[[layer]]\nbody = \"target\"\nouter = \"2.5 m\"\nmotion = { damping = \"0.3 ms\" }", "")
         .replace("\"6 ms\"", "\"1 ms\"\n[output]\npicture = false");
-    Launch::in_directory(1, dir.path(), &brick, &[]).run().expect_code(0);
+    Launch::in_directory(1, dir.path(), &brick, &[]).limit(400).run().expect_code(0);
     let out = dir.path().join("run");
     let outcome = &summary(&out)["outcome"];
     assert!(outcome.get("largest_remnant_fraction").is_some() && outcome.get("ejected_mass").is_some(), "{outcome}");
@@ -424,7 +429,7 @@ fn pumice_gives_back_its_crush_curve() {
     ];
     let mut args = vec![scene, "--out", out.to_str().expect("a plain path")];
     fast.iter().for_each(|change| args.extend(["--set", change]));
-    Launch::scene(2, &args).run().expect_code(0);
+    Launch::scene(1, &args).limit(400).run().expect_code(0);
     let text = csv(&out, "history.csv");
     let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
     let names = lines.next().expect("a header");

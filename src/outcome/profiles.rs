@@ -99,15 +99,19 @@ impl Bowl {
         let side = bins(extent, WIDTH * spacing).min(MOST_CELLS);
         let across = if dimension == 3 { side } else { 1 };
         let mut levels = vec![f64::NEG_INFINITY; side * across];
-        let cell = |x: f64, cells: usize| {
-            let at = (x / (WIDTH * spacing) + 0.5 * cells as f64).floor();
-            (at >= 0.0 && at < cells as f64).then_some(at as usize)
+        let cells = |middle: f64, half: f64, count: usize| {
+            let at = |x: f64| (x / (WIDTH * spacing) + 0.5 * count as f64).floor();
+            let (first, last) = (at(middle - half).max(0.0), at(middle + half).min(count as f64 - 1.0));
+            first as usize..(last + 1.0).max(first) as usize
         };
         for grain in dense {
-            let [Some(x), Some(y)] = [cell(grain.aside[0], side), cell(grain.aside[1], across)] else { continue };
-            // A particle fills a cell around it.
-            let level = &mut levels[y * side + x];
-            *level = level.max(grain.height + 0.5 * spacing);
+            // A particle fills a cube around it, which may be wider than a cell.
+            let half = 0.5 * if dimension == 3 { libm::cbrt(grain.volume) } else { grain.volume.sqrt() };
+            for y in cells(grain.aside[1], half, across) {
+                for level in &mut levels[y * side..][cells(grain.aside[0], half, side)] {
+                    *level = level.max(grain.height + half);
+                }
+            }
         }
         comm.all_max(&mut levels);
         Self { spacing, side, levels }

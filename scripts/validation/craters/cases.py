@@ -45,7 +45,7 @@ def slug(variant):
 
 
 # Core-seconds of the coarsest run of a scene, as measured; halving the spacing takes ten times as long, with twice the steps.
-COARSEST = {"deep_impact": 150, "compaction": 100}
+COARSEST = {"deep_impact": 60, "compaction": 40}
 
 
 def price(scene, spacing):
