@@ -9,13 +9,14 @@ A section is a module with
 
 import sys
 
+import compaction
 import convergence
 import hugoniots
 import page
 import price
 from runs import perform
 
-SECTIONS = {"convergence": convergence, "hugoniots": hugoniots, "price": price}
+SECTIONS = {"convergence": convergence, "hugoniots": hugoniots, "compaction": compaction, "price": price}
 
 
 def main(words):

@@ -15,7 +15,8 @@ PAGE = FOLDER / "README.md"
 HEAD = """# Validation
 
 Written by `scripts/validate`: each block below by the file of its name in `scripts/validation/`. Every figure and number
-follows from runs of scenes of `inputs/exact/`; nothing is edited by hand. `tests/exact.rs` runs a small version of each case.
+follows from runs of scenes of `inputs/`; nothing is edited by hand. `tests/exact.rs` and `tests/compaction.rs` run a small version of each
+case.
 
 Other pages: [fracture](fracture.md) (`scripts/validate_fracture`), [disruption thresholds](q_star.md) (`scripts/q_star`),
 [speed](bench.md) (`scripts/bench`), [scaling and predictions](cluster.md) (`scripts/bench_cluster`).
