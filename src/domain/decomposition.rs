@@ -80,14 +80,18 @@ impl<const D: usize> Decomposition<D> {
     /// the checkpoint. Neighbour lists are to be made from `local` afterwards. Collective.
     pub fn rebuild_from_build_positions(&mut self, columns: &mut Columns, list_radius: ListRadius, comm: &Comm) {
         self.migrated = migrate(columns, self.handles.build_position, &self.bisection, comm);
+        self.watch.forget();
         let places = self.sort(columns, list_radius);
         let mut sites = large_pages::with_capacity(columns.len());
         self.each(columns, list_radius, |site| site).collect_into_vec(&mut sites);
         let extents = Extent::all(&sites, comm);
         let (ghosts, incoming) = Ghosts::build(&sites, &extents, (self.ghosts.words, &self.space.periods), comm);
         self.ghosts = ghosts;
-        self.watch = Watch::build_placed(&self.space.lattice, (&sites, &places), &extents, comm);
         self.local.build_placed(&self.space.lattice, (&sites, places), &incoming);
+        let radii = sites.iter().map(|site| site.radius).collect();
+        drop(sites);
+        let places = self.local.slot_of_owned.iter().map(|&slot| self.local.places[slot as usize]);
+        self.watch = Watch::build_placed(&self.space.lattice, (radii, places), &extents, comm);
     }
 
     /// Brings columns into canonical order and says where the particles stand in it.

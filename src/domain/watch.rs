@@ -149,25 +149,25 @@ struct Blocks {
 impl<const D: usize> Watch<D> {
     /// `owned`: in canonical order. Collective.
     pub fn build(lattice: &Lattice, owned: &[Site<D>], extents: &[Extent<D>], comm: &Comm) -> Self {
-        let places: Vec<Place> = owned.iter().map(|site| lattice.place(site)).collect();
-        Self::build_placed(lattice, (owned, &places), extents, comm)
+        let radii = owned.iter().map(|site| site.radius).collect();
+        Self::build_placed(lattice, (radii, owned.iter().map(|site| lattice.place(site))), extents, comm)
     }
 
-    /// The same where places are known. Collective.
+    /// The same from list radii and places alone. Collective.
     pub fn build_placed(
         lattice: &Lattice,
-        (owned, places): (&[Site<D>], &[Place]),
+        (radii, places): (Vec<f64>, impl Iterator<Item = Place>),
         extents: &[Extent<D>],
         comm: &Comm,
     ) -> Self {
         let widest = widest_level(lattice, extents);
         let above = if lattice.is_periodic() { 0 } else { ABOVE };
-        let (cells, levels) = own_cells::<D>(places, (widest + above).min(MAX_LEVEL));
+        let (cells, levels) = own_cells::<D>(places, radii.len(), (widest + above).min(MAX_LEVEL));
         let mut reach: Vec<f64> = Vec::with_capacity(cells.len());
         for (level, cells) in by_level(&cells, &levels) {
             let smallest = |c: &Cell| {
-                let own = &owned[c.particles.start as usize..c.particles.end as usize];
-                own.iter().map(|s| s.radius).fold(lattice.side(level), f64::min)
+                let own = &radii[c.particles.start as usize..c.particles.end as usize];
+                own.iter().copied().fold(lattice.side(level), f64::min)
             };
             reach.extend(cells.iter().map(smallest));
         }
@@ -197,7 +197,7 @@ impl<const D: usize> Watch<D> {
         Self {
             summaries: vec![Summary::NOTHING; known.reach.len()],
             supports: vec![0.0; cells.len()],
-            radii: owned.iter().map(|s| s.radius).collect(),
+            radii,
             blocks: known.blocks::<D>(lattice, &cells, &levels),
             exchange: Exchange::new(comm, &sends, &receives),
             farthest: farthest(lattice, widest, (levels.len() - 2) as u32, D),
@@ -229,6 +229,12 @@ impl<const D: usize> Watch<D> {
         let (blocks, summaries) = (&self.blocks, &self.summaries);
         let each = (0..blocks.reach.len()).into_par_iter().with_min_len(CELLS);
         each.map(|b| blocks.used(b, summaries)).reduce(|| 0.0, f64::max).max(farthest / self.farthest)
+    }
+
+    /// Gives the memory back, before another one is made.
+    pub fn forget(&mut self) {
+        (self.cells, self.summaries, self.supports, self.radii) = Default::default();
+        self.blocks = Blocks::default();
     }
 
     /// Bytes held.
@@ -306,10 +312,10 @@ fn by_level<'a>(cells: &'a [Cell], levels: &'a [usize]) -> impl Iterator<Item = 
     (0u32..).zip(levels.windows(2)).map(|(level, range)| (level, &cells[range[0]..range[1]]))
 }
 
-/// Cells of levels 0 to `top` with owned particles of that or a finer level; along the curve within a level.
-fn own_cells<const D: usize>(places: &[Place], top: u32) -> (Vec<Cell>, Vec<usize>) {
+/// Cells of levels 0 to `top` with owned particles, `count` of them, of that or a finer level; along the curve within a level.
+fn own_cells<const D: usize>(places: impl Iterator<Item = Place>, count: usize, top: u32) -> (Vec<Cell>, Vec<usize>) {
     let (mut cells, mut levels) = (Vec::<Cell>::new(), vec![0]);
-    let mut particles = places.iter().zip(0u32..).peekable();
+    let mut particles = places.zip(0u32..).peekable();
     for level in 0..=top {
         let start = cells.len();
         let finer = if level == 0 { start..start } else { levels[level as usize - 1]..start };
@@ -318,9 +324,9 @@ fn own_cells<const D: usize>(places: &[Place], top: u32) -> (Vec<Cell>, Vec<usiz
             let own = particles.peek().filter(|(place, _)| place.level == level).map(|(place, _)| place.cell);
             let child = children.peek().map(|&c| cells[c].code >> D);
             let Some(code) = own.into_iter().chain(child).min() else { break };
-            let first = particles.peek().map_or(places.len() as u32, |p| p.1);
+            let first = particles.peek().map_or(count as u32, |p| p.1);
             while particles.next_if(|(place, _)| place.level == level && place.cell == code).is_some() {}
-            let last = particles.peek().map_or(places.len() as u32, |p| p.1);
+            let last = particles.peek().map_or(count as u32, |p| p.1);
             let first_child = children.peek().map_or(start, |&c| c) as u32;
             while children.next_if(|&c| cells[c].code >> D == code).is_some() {}
             let last_child = children.peek().map_or(start, |&c| c) as u32;

@@ -1,20 +1,24 @@
 //! Large pages for large arrays: gathers over many megabytes miss fewer translations, and fresh memory comes with a five-hundredth
 //! of the faults. Where the system does not offer them, nothing happens.
 
-/// Bytes of a large page.
+/// Bytes of a page, and of a large one.
+const PAGE: usize = 4 << 10;
 const LARGE: usize = 2 << 20;
 
-/// Asks for large pages where the array's memory, spare capacity included, covers whole ones. What was written before keeps
-/// the pages it has: to be called when an array has got its memory.
+/// Asks for large pages where the array's memory, spare capacity included, may hold some. What was written before keeps the
+/// pages it has: to be called when an array has got its memory.
 pub fn prefer_large_pages<T>(array: &Vec<T>) {
-    let start = array.as_ptr() as usize;
-    let end = (start + array.capacity() * size_of::<T>()) / LARGE * LARGE;
-    let start = start.next_multiple_of(LARGE);
-    if start < end {
-        // SAFETY: whole pages within the array's own memory; the advice changes no content. An error means that there are no
-        // large pages here.
-        unsafe { libc::madvise(start as *mut libc::c_void, end - start, libc::MADV_HUGEPAGE) };
+    let bytes = array.capacity() * size_of::<T>();
+    if bytes < 2 * LARGE {
+        return;
     }
+    // All pages that the array touches: a mapping of which only a part were advised would be cut in two, and could then only
+    // grow by a copy.
+    let start = array.as_ptr() as usize / PAGE * PAGE;
+    let end = (array.as_ptr() as usize + bytes).next_multiple_of(PAGE);
+    // SAFETY: these pages exist, as each holds a part of the array; the advice changes no content, of the array or beside it.
+    // An error means that there are no large pages here.
+    unsafe { libc::madvise(start as *mut libc::c_void, end - start, libc::MADV_HUGEPAGE) };
 }
 
 /// An empty array with room for so many elements, in large pages.
