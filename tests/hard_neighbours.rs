@@ -300,7 +300,7 @@ fn rock_beside_spray() {
                             terms,
                             constants,
                             viscosity,
-                            porous: vec![false; 2],
+                            by_loading: vec![false; 2],
                             artificial_stress_factor: 0.0,
                             eta: 0.01,
                         };

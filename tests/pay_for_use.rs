@@ -60,8 +60,7 @@ const CORE: [(&str, usize); 12] = [
 const STRENGTH: [(&str, usize); 2] = [("deviatoric_stress", 5), ("deviatoric_stress_rate", 5)];
 const FRACTURE: [(&str, usize); 2] = [("damage", 1), ("activation_threshold", 1)];
 /// Rigid pores of a material that can break, and what elastic ones need.
-const PORES: [(&str, usize); 4] =
-    [("distention", 1), ("stress_factor", 1), ("loading_speed", 1), ("compaction_damage", 1)];
+const PORES: [(&str, usize); 3] = [("distention", 1), ("stress_factor", 1), ("compaction_damage", 1)];
 const ELASTIC_PORES: [(&str, usize); 1] = [("unloaded_distention", 1)];
 const RECORDS: [(&str, usize); 3] = [("peak_pressure", 1), ("melt_fraction", 1), ("vapour_fraction", 1)];
 const VARIABLE_H: [(&str, usize); 2] = [("smoothing_length", 1), ("build_smoothing_length", 1)];

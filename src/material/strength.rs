@@ -184,13 +184,16 @@ impl MaterialEffect for Strength {
             let stiffness = 4.0 / 3.0 * solid.shear_modulus;
             if let Some(pores) = self.pores.filter(|_| solid.porous) {
                 let (distention, factor) = (local.view(pores.distention), local.view(pores.stress_factor));
-                let loading_speed = local.view(pores.loading_speed);
+                let loading_speed = pores.loading_speed.map(|column| local.view(column));
                 for i in range {
                     let matrix_density = distention.get(i) * density.get(i);
                     let shear = stiffness / matrix_density.max(solid.lowest_density);
-                    let (c, loading) = (sound_speed.get(i), loading_speed.get(i));
+                    let c = sound_speed.get(i);
                     sound_speed.set(i, (c * c + shear).sqrt());
-                    loading_speed.set(i, (loading * loading + shear * factor.get(i).clamp(0.0, 1.0)).sqrt());
+                    if let Some(loading_speed) = &loading_speed {
+                        let (c, share) = (loading_speed.get(i), factor.get(i).clamp(0.0, 1.0));
+                        loading_speed.set(i, (c * c + shear * share).sqrt());
+                    }
                 }
                 continue;
             }

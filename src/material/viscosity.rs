@@ -1,12 +1,16 @@
 //! Coefficients of the artificial viscosity, per material. The pair loop holds the formula: for approaching pairs Pi =
 //! (-alpha c mu + beta mu^2) / rho, mu = h v.x / (r^2 + 0.01 h^2) (Monaghan & Gingold 1983), with alpha and beta as
 //! means over the pair.
+//!
+//! c is the speed of sound, or, in porous bodies that ask for it, that of further compression (`porosity`). Where pores give way
+//! this is slower by far: weak waves of compaction then keep their width, which with sound would be many times that. Strong shocks
+//! into highly porous matter need the speed of sound: pumice at 3 km/s is 26 per cent off in pressure without it.
 
 use serde::{Deserialize, Serialize};
 
 use super::MaterialTable;
 use super::setup::{Table, none_negative};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::units::{Number, Quantity};
 
 /// `[material.X.viscosity]`
@@ -17,16 +21,32 @@ pub struct ViscosityTable {
     pub alpha: Number,
     /// Quadratic, keeps particles from passing through each other in strong shocks.
     pub beta: Number,
+    /// What c is.
+    pub speed: ViscousSpeed,
+}
+
+/// The speed that alpha multiplies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ViscousSpeed {
+    #[default]
+    Sound,
+    /// That of further compression, of porous matter.
+    Loading,
 }
 
 impl Default for ViscosityTable {
     fn default() -> Self {
-        Self { alpha: Quantity(1.5), beta: Quantity(3.0) }
+        Self { alpha: Quantity(1.5), beta: Quantity(3.0), speed: ViscousSpeed::Sound }
     }
 }
 
 impl Table for ViscosityTable {
-    fn validate(&self, place: &str, _material: &MaterialTable) -> Result<()> {
+    fn validate(&self, place: &str, material: &MaterialTable) -> Result<()> {
+        if self.speed == ViscousSpeed::Loading && material.porosity.is_none() {
+            let error = Error::new("only pores make compression slower than sound").at(format!("{place}.speed"));
+            return Err(error.allowed("\"sound\", or a porosity table beside it"));
+        }
         none_negative(place, &[("alpha", self.alpha.0), ("beta", self.beta.0)])
     }
 }
@@ -35,6 +55,11 @@ impl MaterialTable {
     /// alpha and beta; `None` where the scene goes without viscosity.
     pub fn viscosity_coefficients(&self) -> Option<[f64; 2]> {
         self.viscosity.map(|table| [table.alpha.0, table.beta.0])
+    }
+
+    /// Whether viscosity goes by the speed of further compression.
+    pub fn has_loading_speed(&self) -> bool {
+        self.viscosity.is_some_and(|table| table.speed == ViscousSpeed::Loading)
     }
 }
 

@@ -144,7 +144,11 @@ impl Plan {
                 terms: self.terms,
                 constants: self.constants.clone(),
                 viscosity: self.viscosity.clone(),
-                porous: scene.bodies.iter().map(|body| scene.materials[body.material].porosity.is_some()).collect(),
+                by_loading: scene
+                    .bodies
+                    .iter()
+                    .map(|body| scene.materials[body.material].has_loading_speed())
+                    .collect(),
                 artificial_stress_factor: numerics.artificial_stress.map_or(0.0, |a| a.factor),
                 eta: numerics.eta,
             },

@@ -15,7 +15,7 @@ use crate::particles::{Chunk, Column, Columns, Registry};
 pub struct Packer {
     core: Core,
     layout: Layout,
-    /// What viscosity goes by in porous bodies.
+    /// What viscosity goes by in bodies that ask for it.
     loading_speed: Option<Column<f64>>,
     deviatoric_stress: Option<Column<Deviator>>,
     damage: Option<Column<f64>>,
@@ -23,7 +23,7 @@ pub struct Packer {
     constants: Vec<BodyConstants>,
     /// (alpha, beta) of each body's material.
     viscosity: Vec<(f64, f64)>,
-    porous: Vec<bool>,
+    by_loading: Vec<bool>,
     /// Strength epsilon of the artificial stress.
     epsilon: f64,
     /// Spacing over smoothing length, to the power of the dimension, times two: V_max / h^d.
@@ -36,8 +36,8 @@ pub struct PackSettings {
     pub terms: Terms,
     pub constants: Vec<BodyConstants>,
     pub viscosity: Vec<(f64, f64)>,
-    /// Bodies with pores.
-    pub porous: Vec<bool>,
+    /// Bodies whose viscosity goes by the speed of further compression.
+    pub by_loading: Vec<bool>,
     pub artificial_stress_factor: f64,
     /// Smoothing length over spacing.
     pub eta: f64,
@@ -55,7 +55,7 @@ impl Packer {
             smoothing_length: registry.find("smoothing_length"),
             constants: settings.constants,
             viscosity: settings.viscosity,
-            porous: settings.porous,
+            by_loading: settings.by_loading,
             epsilon: settings.artificial_stress_factor,
             most_volume: 2.0 / settings.eta.powi(dimension as i32),
         }
@@ -116,7 +116,7 @@ impl Packer {
         record[layout.h_inverse()] = 1.0 / h;
         let (alpha, beta) = self.viscosity[body];
         if layout.terms.viscosity != Viscosity::Off {
-            let speed = self.loading_speed.filter(|_| self.porous[body]).unwrap_or(self.core.sound_speed);
+            let speed = self.loading_speed.filter(|_| self.by_loading[body]).unwrap_or(self.core.sound_speed);
             record[layout.alpha_c()] = alpha * columns.get(speed, i);
         }
         if layout.terms.viscosity == Viscosity::OwnBeta {

@@ -9,7 +9,7 @@ DEEP_IMPACT = [56, 40, 28]
 COMPACTION = [50, 35, 25]
 
 RHO_ALPHA = ["material.{}.porosity.p_alpha=false", "material.{}.porosity.rho_alpha.quadratic=true"]
-SOLID_ICE = ["material.ice.porosity=false", 'material.ice.eos.tillotson.rho_0="305.67 kg/m^3"']
+SOLID_ICE = ["material.ice.porosity=false", 'material.ice.eos.tillotson.rho_0="305.67 kg/m^3"', "material.ice.viscosity.speed=sound"]
 
 
 def of(material, settings):

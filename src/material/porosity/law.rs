@@ -20,8 +20,8 @@
 //! ```text
 //! c_load^2 = dP/drho = f P_rho + P_u P / (alpha rho^2) + (1 - f) P / rho
 //! ```
-//! with f bounded from below by 0, and this is what viscosity must go by: with c_s it would spread a compaction wave over many
-//! times its width.
+//! with f bounded from below by 0. Viscosity may go by this (`viscosity.speed = "loading"`): with c_s it spreads a weak wave of
+//! compaction over many times its width.
 //!
 //! P_u, P_rho derivatives of the matrix pressure P_s. f may be negative: then the matrix expands while the body is compressed
 //! (alpha_0 above (c + 2) / c). No density is bounded from below here.

@@ -12,7 +12,7 @@
 //! (epsilon-alpha). alpha never grows but along the elastic branch, and changes in `update` alone.
 //!
 //! Columns: owns `distention`, `unloaded_distention` where pores are elastic, `stress_factor` (f of eq. 53, which `strength`
-//! reads), `loading_speed` (longitudinal, of further compression, which viscosity goes by; `strength` stiffens it), and, where a porous material can break, `compaction_damage` (growth of D^(1/3) in this step, which `fracture` adds to
+//! reads), `loading_speed` where viscosity goes by it (longitudinal, of further compression; `strength` stiffens it), and, where a porous material can break, `compaction_damage` (growth of D^(1/3) in this step, which `fracture` adds to
 //! its own). Sets the core columns `pressure` and `sound_speed` of porous bodies.
 //! Time step: alpha changes by at most 0.2 (alpha_0 - 1), so that a collapse takes steps enough to do its work: in one step it
 //! would lose several per cent of the shock's energy.
@@ -169,7 +169,8 @@ fn elastic_strain(eos: &eos::Eos, density: f64, alpha: f64, pressure: f64) -> f6
 pub struct PoreColumns {
     pub distention: Column<f64>,
     pub stress_factor: Column<f64>,
-    pub loading_speed: Column<f64>,
+    /// Where viscosity goes by it.
+    pub loading_speed: Option<Column<f64>>,
 }
 
 impl PoreColumns {
@@ -177,7 +178,7 @@ impl PoreColumns {
         Some(Self {
             distention: registry.find(DISTENTION)?,
             stress_factor: registry.find(STRESS_FACTOR)?,
-            loading_speed: registry.find(LOADING_SPEED)?,
+            loading_speed: registry.find(LOADING_SPEED),
         })
     }
 }
@@ -189,7 +190,8 @@ pub struct Porosity {
     /// Where pores are elastic.
     unloaded: Option<Column<f64>>,
     stress_factor: Column<f64>,
-    loading_speed: Column<f64>,
+    /// Where viscosity goes by it.
+    loading_speed: Option<Column<f64>>,
     /// Where a porous material can break.
     damage: Option<Column<f64>>,
     density: Column<f64>,
@@ -217,12 +219,14 @@ impl MaterialEffect for Porosity {
         });
         let about = "Rate of volume of the matrix over that of the body.";
         let stress_factor = registry.column(info(STRESS_FACTOR, about, Life::Scratch, false));
-        let loading_speed = registry.column(ColumnInfo {
-            name: LOADING_SPEED,
-            unit: "m/s",
-            about: "Longitudinal speed of further compression.",
-            life: Life::Scratch,
-            snapshot: false,
+        let loading_speed = any(MaterialTable::has_loading_speed).then(|| {
+            registry.column(ColumnInfo {
+                name: LOADING_SPEED,
+                unit: "m/s",
+                about: "Longitudinal speed of further compression.",
+                life: Life::Scratch,
+                snapshot: false,
+            })
         });
         let damage = breaks.then(|| {
             let about = "Growth of the cube root of damage by compaction in this step.";
@@ -264,7 +268,7 @@ impl MaterialEffect for Porosity {
         let (density, energy) = (local.view(self.density), local.view(self.energy));
         let (pressure, sound_speed) = (local.view(self.pressure), local.view(self.sound_speed));
         let (distention, stress_factor) = (local.view(self.distention), local.view(self.stress_factor));
-        let loading_speed = local.view(self.loading_speed);
+        let loading_speed = self.loading_speed.map(|column| local.view(column));
         let pores_left = self.unloaded.map_or(distention, |column| local.view(column));
         let damage = self.damage.map(|column| local.view(column));
         for (porous, range) in self.bodies.runs(local) {
@@ -276,7 +280,9 @@ impl MaterialEffect for Porosity {
                 pressure.set(i, state.pressure);
                 sound_speed.set(i, state.sound_speed);
                 stress_factor.set(i, state.stress_factor);
-                loading_speed.set(i, state.loading_speed);
+                if let Some(loading_speed) = &loading_speed {
+                    loading_speed.set(i, state.loading_speed);
+                }
                 if let Some(damage) = &damage {
                     let crushed = state.unloaded < before;
                     let growth = || porous.damage_root(state.unloaded) - porous.damage_root(before);
