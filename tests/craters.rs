@@ -385,17 +385,27 @@ fn scenes_of_the_inputs_are_read() {
     };
     // The variants that the scenes name, with the same mass.
     let cold = ["material.M.porosity.p_alpha=false", "material.M.porosity.rho_alpha.quadratic=true"];
-    let solid = ["material.ice.porosity=false", "material.ice.eos.tillotson.rho_0=305.67 kg/m^3"];
+    let solid = [
+        "material.ice.porosity=false",
+        "material.ice.eos.tillotson.rho_0=305.67 kg/m^3",
+        "material.ice.viscosity.speed=sound",
+    ];
     let strain = ["material.basalt.porosity.p_alpha=false", "material.basalt.porosity.epsilon_alpha=true"];
-    let of = |material: &str, change: [&str; 2]| change.map(|text| text.replace(".M.", &format!(".{material}.")));
+    let of = |material: &str, change: &[&str]| -> Vec<String> {
+        change.iter().map(|text| text.replace(".M.", &format!(".{material}."))).collect()
+    };
     for (name, change) in [
-        ("deep_impact", of("ice", cold)),
-        ("deep_impact", of("ice", solid)),
-        ("compaction_models", of("basalt", cold)),
-        ("compaction_models", of("basalt", strain)),
-        ("compaction_models", of("basalt", ["material.basalt.porosity.p_alpha.quadratic.P_s=10 MPa", "run.until=1 s"])),
+        ("deep_impact", of("ice", &cold)),
+        ("deep_impact", of("ice", &solid)),
+        ("compaction_models", of("basalt", &cold)),
+        ("compaction_models", of("basalt", &strain)),
+        (
+            "compaction_models",
+            of("basalt", &["material.basalt.porosity.p_alpha.quadratic.P_s=10 MPa", "run.until=1 s"]),
+        ),
     ] {
-        let (plain, changed) = (read(name, &[]), read(name, &[&change[0], &change[1]]));
+        let change: Vec<&str> = change.iter().map(String::as_str).collect();
+        let (plain, changed) = (read(name, &[]), read(name, &change));
         for (a, b) in plain.bodies.iter().zip(&changed.bodies) {
             assert!((a.mass() / b.mass() - 1.0).abs() < 1e-4, "{name} {change:?}: {} {}", a.mass(), b.mass());
         }
