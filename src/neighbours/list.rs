@@ -5,6 +5,7 @@ use rayon::prelude::*;
 
 use super::cells::CellIndex;
 use super::filter::{Candidates, Centre};
+use super::stream;
 use crate::math::lanes::{Width, width};
 use crate::particles::large_pages::prefer_large_pages;
 use crate::particles::{Local, Place};
@@ -14,6 +15,9 @@ pub const LANES: usize = 8;
 
 /// Rows a thread makes at a time: their entries stay in its cache until they are copied.
 const BLOCK: usize = 512;
+
+/// Bytes beyond which a list is not expected to stay in the caches from one step to the next.
+const CACHES: usize = 16 << 20;
 
 /// Rows of neighbours, by owned particle.
 #[derive(Debug)]
@@ -149,6 +153,7 @@ impl<const D: usize> NeighbourList<D> {
             self.entries.reserve_exact((expected as usize).max(start + added) - start);
             prefer_large_pages(&self.entries);
         }
+        let streamed = size_of::<u32>() * self.entries.capacity() > CACHES;
         let mut rest = &mut self.entries.spare_capacity_mut()[..added];
         let mut parts = Vec::with_capacity(self.blocks.len());
         let mut base = start;
@@ -165,9 +170,14 @@ impl<const D: usize> NeighbourList<D> {
             base += block.entries.len();
         }
         parts.into_par_iter().for_each(|(part, block)| {
-            part.iter_mut().zip(&block.entries).for_each(|(to, entry)| {
-                to.write(*entry);
-            });
+            // What fits into the caches is better left there.
+            if streamed {
+                stream::copy(&block.entries, part);
+            } else {
+                part.iter_mut().zip(&block.entries).for_each(|(to, entry)| {
+                    to.write(*entry);
+                });
+            }
         });
         // SAFETY: the parts, which are all written, make up the `added` entries behind `start`.
         unsafe { self.entries.set_len(start + added) };

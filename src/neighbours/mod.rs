@@ -4,5 +4,6 @@
 mod cells;
 mod filter;
 pub mod list;
+mod stream;
 
 pub use list::NeighbourList;

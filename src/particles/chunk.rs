@@ -2,6 +2,7 @@
 //! it. Within a chunk all columns can be read and written through views of cells; chunks never overlap, so that threads
 //! can work side by side.
 
+use std::arch::x86_64::{_MM_HINT_T1, _mm_prefetch};
 use std::cell::Cell;
 use std::ops::Range;
 
@@ -9,6 +10,8 @@ use super::columns::{Column, Columns, Element};
 
 /// Particles per chunk.
 pub const CHUNK: usize = 256;
+
+const WORDS_OF_LINE: usize = 8;
 
 /// One column within a chunk; index 0 is the chunk's first particle.
 #[derive(Clone, Copy)]
@@ -50,6 +53,17 @@ impl<'a> Chunk<'a> {
 
     pub fn is_empty(&self) -> bool {
         self.range.is_empty()
+    }
+
+    /// Asks for all columns of these particles of the chunk: they will be read soon.
+    pub fn fetch(&self, particles: Range<usize>) {
+        for &(start, width) in self.pointers {
+            for line in (particles.start * width..particles.end * width).step_by(WORDS_OF_LINE) {
+                let word = start.wrapping_add(self.range.start * width + line);
+                // SAFETY: fetching reads nothing, wherever the address leads.
+                unsafe { _mm_prefetch::<_MM_HINT_T1>(word.cast()) };
+            }
+        }
     }
 
     #[inline]

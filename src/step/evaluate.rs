@@ -17,6 +17,9 @@ use crate::particles::chunk::{CHUNK, Chunk};
 use crate::particles::columns::Entry;
 use crate::particles::{Life, Registry, Shape};
 
+/// Rows of a chunk that are summed between two requests for columns.
+const ROWS_PER_FETCH: usize = 32;
+
 /// What a thread needs for a chunk, and what it finds out.
 pub struct Workspace {
     sums: Vec<RowSums>,
@@ -107,7 +110,14 @@ impl Physics<'_> {
     /// Sums the rows of a chunk and corrects its state with the rates found, unless one of them is no number.
     pub fn evaluate(&self, chunk: &Chunk, rows: &Rows, dt: f64, workspace: &mut Workspace) {
         self.fill_bodies(chunk, workspace);
-        self.pair_loop.sum(rows, chunk.range.clone(), &mut workspace.sums);
+        // While pairs are summed, the columns that their sums will change come from memory.
+        let mut sums = workspace.sums.chunks_mut(ROWS_PER_FETCH);
+        for start in chunk.range.clone().step_by(ROWS_PER_FETCH) {
+            let rows_now = start..(start + ROWS_PER_FETCH).min(chunk.range.end);
+            let sums = sums.next().expect("sums for each row of a chunk");
+            chunk.fetch(start - chunk.range.start..rows_now.end - chunk.range.start);
+            self.pair_loop.sum(rows, rows_now, sums);
+        }
         self.find_motion(chunk.range.clone(), rows, workspace);
         for block in &workspace.new_rates {
             block.iter().for_each(|word| word.set(0));
