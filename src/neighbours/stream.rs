@@ -1,14 +1,21 @@
 //! Copies that go past the caches. A list is larger than they are and is read long after it was written: to fetch its lines
 //! first, only to overwrite them, would be half of the traffic.
 
-use std::arch::x86_64::{_mm_loadu_si128, _mm_sfence, _mm_stream_si128};
 use std::mem::MaybeUninit;
 
-/// Numbers in what is stored at once.
-const QUAD: usize = 4;
+/// Fills `to` with the numbers of `from`, as many; elsewhere than on x86-64 through the caches.
+#[cfg(not(target_arch = "x86_64"))]
+pub fn copy(from: &[u32], to: &mut [MaybeUninit<u32>]) {
+    assert_eq!(from.len(), to.len());
+    to.iter_mut().zip(from).for_each(|(to, from)| drop(to.write(*from)));
+}
 
 /// Fills `to` with the numbers of `from`, as many.
+#[cfg(target_arch = "x86_64")]
 pub fn copy(from: &[u32], to: &mut [MaybeUninit<u32>]) {
+    use std::arch::x86_64::{_mm_loadu_si128, _mm_sfence, _mm_stream_si128};
+    /// Numbers in what is stored at once.
+    const QUAD: usize = 4;
     assert_eq!(from.len(), to.len());
     // Streaming wants whole aligned quads; what stands before and after them is written as usual.
     let head = to.as_ptr().align_offset(QUAD * size_of::<u32>()).min(to.len());
