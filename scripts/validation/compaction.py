@@ -59,11 +59,12 @@ def space():
 
 
 def cylinder():
+    """Half an hour of a core: it joins the table once `sph-mpi inputs/compaction_cylinder.toml` has been run into its folder."""
     return Run("compaction/cylinder", "compaction_cylinder.toml")
 
 
 def runs():
-    return [plane(name, spacing) for name in WAVES for spacing in SPACINGS] + [space(), cylinder()]
+    return [plane(name, spacing) for name in WAVES for spacing in SPACINGS] + [space()]
 
 
 def row(label, run, found, failures, judged):
@@ -86,13 +87,15 @@ def write(found):
             label = f"{name}, {1e6 * spacing:g} um"
             rows.append(row(label, plane(name, spacing), found, failures, spacing == SPACINGS[-1]))
     rows.append(row(f"458 m/s in space, {1e6 * SPACE:g} um", space(), found, failures, True))
-    rows.append(row("458 m/s, the paper's cylinder", cylinder(), found, failures, False))
+    if (cylinder().folder / "summary.json").exists():
+        found[cylinder().name] = cylinder().summary()
+        rows.append(row("458 m/s, the paper's cylinder", cylinder(), found, failures, False))
     for field in ("stress", "distention"):
         shutil.copy(space().folder / f"compare_{field}.png", page.FOLDER / f"compaction_{field}.png")
     head = ["wave", *COLUMNS, "stress, L1", "energy drift", "particles", "core-s"]
     allowed = ", ".join(f"{what} {page.percent(tolerance)}" for what, (_, tolerance) in COLUMNS.items())
     text = f"""Errors against the jump conditions, which the program solves from the scene's own numbers: pressure, density, distention and energy
-behind the compaction shock, its speed, the precursor's pressure and speed. In the plane but for the last two rows. Asked for at the
+behind the compaction shock, its speed, the precursor's pressure and speed. In the plane unless space is named. Asked for at the
 finest spacing: {allowed}. Fronts start a spacing late and stay so: their speeds converge with order one. Behind a shock that squeezes the
 lattice along one axis by a fifth, sums are off by half a per cent in pressure at any spacing. At alpha_0 = 3 the layer behind the shock is a
 third as thick as what it was.
