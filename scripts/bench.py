@@ -20,9 +20,9 @@ def processor():
 
 
 def speedup(single, double):
-    """Of two ranks or threads in a step: by core-seconds, as if nobody had waited, and by wall time of the run."""
-    by_core = 2 * step_seconds(single) / step_seconds(double)
-    return f"{by_core:.2f} by core-seconds of a step, {single['wall_seconds'] / double['wall_seconds']:.2f} by wall time of the run"
+    """Of two ranks or threads: by core-seconds, as if nobody had waited, and by wall time."""
+    by_core = 2 * single["core_seconds"] / double["core_seconds"]
+    return f"{by_core:.2f} by core-seconds, {single['wall_seconds'] / double['wall_seconds']:.2f} by wall time"
 
 
 def step_seconds(run, phases=None):

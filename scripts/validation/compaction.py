@@ -59,7 +59,7 @@ def space():
 
 
 def cylinder():
-    """Half an hour of a core: it joins the table once `sph-mpi inputs/compaction_cylinder.toml` has been run into its folder."""
+    """Some twenty minutes of a core: it joins the table once `sph-mpi inputs/compaction_cylinder.toml` has been run into its folder."""
     return Run("compaction/cylinder", "compaction_cylinder.toml")
 
 

@@ -39,6 +39,13 @@ pub enum Compaction {
     Strain(StrainLaw),
 }
 
+/// Whether the pressure of a crush curve knows of heat.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Heat {
+    Counts,
+    Ignored,
+}
+
 /// Porous matter of one body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Porous {
@@ -75,9 +82,9 @@ impl Porous {
             return self.with(rho, u, (1.0, 1.0), |_| 1.0);
         }
         match &self.compaction {
-            Compaction::Pressure { curve, elastic: None } => self.crushed(rho, u, u, curve, unloaded),
+            Compaction::Pressure { curve, elastic: None } => self.crushed(rho, u, (curve, Heat::Counts), unloaded),
             Compaction::Pressure { curve, elastic: Some(elastic) } => self.elastic(rho, u, (curve, elastic), unloaded),
-            Compaction::ColdPressure(curve) => self.crushed(rho, u, 0.0, curve, unloaded),
+            Compaction::ColdPressure(curve) => self.crushed(rho, u, (curve, Heat::Ignored), unloaded),
             Compaction::Strain(law) => {
                 let (alpha, by_strain) = law.at(rho);
                 if alpha < unloaded {
@@ -89,16 +96,17 @@ impl Porous {
         }
     }
 
-    /// Rigid pores: `u_curve` is the energy that the pressure of the crush curve knows of.
+    /// Rigid pores.
     #[inline]
-    fn crushed(&self, rho: f64, u: f64, u_curve: f64, curve: &CrushCurve, unloaded: f64) -> State {
+    fn crushed(&self, rho: f64, u: f64, (curve, heat): (&CrushCurve, Heat), unloaded: f64) -> State {
+        let u_curve = if heat == Heat::Counts { u } else { 0.0 };
         let trial = self.pressure(rho, u_curve, unloaded);
         if curve.at(trial).0 >= unloaded {
             return self.with(rho, u, (unloaded, unloaded), |_| 1.0);
         }
         let alpha = self.on_curve(rho, u_curve, curve, unloaded);
         self.with(rho, u, (alpha, alpha), |hot| {
-            if u_curve == u {
+            if heat == Heat::Counts {
                 return self.factor(rho, alpha, curve.at(hot.p / alpha).1, hot, hot.by_u);
             }
             let cold = self.eos.slopes(alpha * rho, u_curve);
@@ -353,6 +361,15 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// rho-alpha knows of no heat, and so its factor is the same whatever the energy, cold matter included.
+    #[test]
+    fn the_factor_of_rho_alpha_does_not_depend_on_heat() {
+        let porous = super::super::testing::cold(3.0);
+        let [cold, hot] = [0.0, 2e4].map(|u| porous.state(1200.0, u, 3.0));
+        assert!(cold.unloaded < 3.0 && cold.stress_factor < 1.0, "{cold:?}");
+        assert_eq!((cold.distention, cold.stress_factor), (hot.distention, hot.stress_factor));
     }
 
     /// Without pores everything is as in the solid, bit for bit.
