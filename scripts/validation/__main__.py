@@ -14,18 +14,22 @@ import convergence
 import hugoniots
 import page
 import price
-from runs import perform
+from runs import perform, show
 
 SECTIONS = {"convergence": convergence, "hugoniots": hugoniots, "compaction": compaction, "price": price}
 
 
 def main(words):
+    listed = "--list" in words
+    words = [word for word in words if word != "--list"]
     wanted = {}
     for name, section in SECTIONS.items():
         runs = section.runs()
         wanted[name] = [run for run in runs if not words or name in words or run.name.startswith(tuple(words))]
     if not any(wanted.values()):
         sys.exit(f"error: nothing is called {', '.join(words)} (allowed: {', '.join(SECTIONS)}, or the beginning of a run's name)")
+    if listed:
+        return show([run for runs in wanted.values() for run in runs])
     failures = []
     for name, section in SECTIONS.items():
         found = perform(wanted[name])

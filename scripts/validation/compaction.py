@@ -1,5 +1,6 @@
 """Waves that crush porous aluminium (Jutzi, Benz & Michel 2008, section 5.1) against the jump conditions."""
 
+import dataclasses
 import shutil
 
 import page
@@ -9,19 +10,38 @@ from scenes import slab
 TITLE = "Compaction waves"
 
 SPACINGS = [1e-4, 5e-5, 2.5e-5]
+FINER = [*SPACINGS, 1.25e-5]
 """In the plane, m."""
-PAPER = (1.275, 458, 3.5e-6, 0.02)
+
+
+@dataclasses.dataclass
+class Wave:
+    distention: float
+    speed: float
+    """Of the piston, m/s."""
+    until: float
+    """s"""
+    length: float = 0.02
+    """Of the column, m."""
+    spacings: list = dataclasses.field(default_factory=lambda: SPACINGS)
+    settings: list = dataclasses.field(default_factory=list)
+
+
+SHORT_STEPS = ["numerics.cfl=0.1"]
+"""Particles that cross a strong shock vibrate, and the integrator takes energy from that, with the cube of the step."""
+PAPER = Wave(1.275, 458, 3.5e-6)
 WAVES = {
-    # Name: distention, speed of the piston (m/s), end (s), length of the column (m).
     "458 m/s": PAPER,
-    "100 m/s, pores are left": (1.275, 100, 4.5e-6, 0.02),
-    "1000 m/s": (1.275, 1000, 3.5e-6, 0.02),
-    "1500 m/s, overdriven": (1.275, 1500, 3e-6, 0.02),
-    "300 m/s, alpha_0 = 1.1": (1.1, 300, 3e-6, 0.02),
-    "458 m/s, alpha_0 = 3": (3.0, 458, 9e-6, 0.04),
+    "100 m/s, pores are left": Wave(1.275, 100, 4.5e-6, spacings=FINER),
+    "800 m/s": Wave(1.275, 800, 3.5e-6, settings=SHORT_STEPS),
+    "1000 m/s": Wave(1.275, 1000, 3.5e-6, settings=SHORT_STEPS),
+    "1500 m/s, overdriven": Wave(1.275, 1500, 3e-6, settings=SHORT_STEPS),
+    "300 m/s, alpha_0 = 1.1": Wave(1.1, 300, 3e-6, settings=SHORT_STEPS),
+    "458 m/s, alpha_0 = 3": Wave(3.0, 458, 9e-6, 0.04, FINER),
 }
 SPACE = 4e-5
 """Of the scene itself, m."""
+DRIFT = 1e-3
 COLUMNS = {
     # What: key of `errors`, tolerance at the finest spacing.
     "P_1": ("plateau_1_stress", 0.01),
@@ -35,18 +55,17 @@ COLUMNS = {
 
 
 def column(wave, spacing, dimension):
-    distention, speed, until, length = wave
-    settings = slab({"column": (-10 * spacing, length, None)}, spacing, dimension)
-    velocity = f"[{speed}" + ", 0" * (dimension - 1) + "]"
+    settings = slab({"column": (-10 * spacing, wave.length, None)}, spacing, dimension)
+    velocity = f"[{wave.speed}" + ", 0" * (dimension - 1) + "]"
     settings += [
-        f"column.distention={distention}",
+        f"column.distention={wave.distention}",
         f"layer.0.x=[{-10 * spacing}, 0]",
         f"layer.0.motion={{ velocity = {velocity} }}",
-        f"layer.1.x=[{length - 10 * spacing}, {length}]",
-        f"compare.within=[{speed * until + 1e-4}, {0.925 * length}]",
-        f"run.until={until}",
+        f"layer.1.x=[{wave.length - 10 * spacing}, {wave.length}]",
+        f"compare.within=[{wave.speed * wave.until + 1e-4}, {0.925 * wave.length}]",
+        f"run.until={wave.until}",
     ]
-    return settings
+    return settings + wave.settings
 
 
 def plane(name, spacing):
@@ -64,7 +83,7 @@ def cylinder():
 
 
 def runs():
-    return [plane(name, spacing) for name in WAVES for spacing in SPACINGS] + [space()]
+    return [plane(name, spacing) for name, wave in WAVES.items() for spacing in wave.spacings] + [space()]
 
 
 def row(label, run, found, failures, judged):
@@ -76,16 +95,19 @@ def row(label, run, found, failures, judged):
         if missed:
             failures.append(f"compaction wave, {label}: {what} {error:.4f} (allowed: {tolerance})")
         cells.append("–" if error is None else page.percent(error) + (" **missed**" if missed else ""))
-    cells += [page.percent(errors["stress_l1"]), f"{summary['energy_drift']:.1e}", summary["particles"], f"{summary['core_seconds']:.3g}"]
+    drift = summary["energy_drift"]
+    if judged and drift > DRIFT:
+        failures.append(f"compaction wave, {label}: energy drift {drift:.1e} (allowed: {DRIFT})")
+    cells += [page.percent(errors["stress_l1"]), f"{drift:.1e}" + (" **missed**" if judged and drift > DRIFT else ""), summary["particles"], f"{summary['core_seconds']:.3g}"]
     return [label, *cells]
 
 
 def write(found):
     failures, rows = [], []
-    for name in WAVES:
-        for spacing in SPACINGS:
+    for name, wave in WAVES.items():
+        for spacing in wave.spacings:
             label = f"{name}, {1e6 * spacing:g} um"
-            rows.append(row(label, plane(name, spacing), found, failures, spacing == SPACINGS[-1]))
+            rows.append(row(label, plane(name, spacing), found, failures, spacing == wave.spacings[-1]))
     rows.append(row(f"458 m/s in space, {1e6 * SPACE:g} um", space(), found, failures, True))
     if (cylinder().folder / "summary.json").exists():
         found[cylinder().name] = cylinder().summary()

@@ -303,13 +303,17 @@ pub fn sound_speed(scene: &Scene, body: usize) -> f64 {
 /// The end of a run on the terminal, rank 0.
 pub fn print(summary: &Summary, crater: Option<&Crater>, directory: &Path) {
     let phase = |phase: Phase| 100.0 * summary.phases.0[phase as usize].1;
+    let turning = match summary.angular_momentum_drift {
+        drift if drift.is_finite() => format!(", angular momentum {drift:.1e}"),
+        _ => String::new(), // walls or periods do not conserve it
+    };
     tracing::info!(
-        "{} steps to t = {:.4e} s; drift of energy {:.1e}, momentum {:.1e}, angular momentum {:.1e}",
+        "{} steps to t = {:.4e} s; drift of energy {:.1e}, momentum {:.1e}{}",
         summary.steps,
         summary.time,
         summary.energy_drift,
         summary.momentum_drift,
-        summary.angular_momentum_drift
+        turning
     );
     tracing::info!(
         "{:.1} s wall, {:.1} core-seconds ({:.1} s of MPI waits apart), {:.2e} updates per core-second, {:.0} bytes per particle",

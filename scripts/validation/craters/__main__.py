@@ -14,7 +14,7 @@ import matplotlib.pyplot as plt
 
 import cases
 from page import FOLDER
-from runs import perform
+from runs import perform, show
 
 HEAD = """# Craters in porous ground
 
@@ -132,7 +132,8 @@ def keep_picture(case, variants, spacings, name):
 
 def main():
     if "--list" in sys.argv:
-        return cases.show()
+        prices = {run.name: seconds for run, seconds in cases.all_runs()}
+        return show([run for run, _ in cases.all_runs()], lambda run: prices[run.name])
     most = float(sys.argv[sys.argv.index("--most") + 1]) if "--most" in sys.argv else float("inf")
     perform([run for run, seconds in cases.all_runs() if seconds <= most])
     blocks = {"Deep Impact": deep_impact(), "Laws of compaction": compaction()}

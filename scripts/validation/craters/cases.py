@@ -1,7 +1,5 @@
 """What is run: variants of two scenes over resolution."""
 
-import sys
-
 from runs import Run
 
 # Between particles near the impact, cm; shells around them are two and four times coarser.
@@ -59,9 +57,3 @@ def all_runs():
     found = [(deep_impact(v, s), price("deep_impact", s)) for v in DEEP_IMPACT_VARIANTS for s in DEEP_IMPACT]
     found += [(compaction(v, s), price("compaction", s)) for v in COMPACTION_VARIANTS for s in COMPACTION]
     return sorted(found, key=lambda pair: pair[1])
-
-
-def show(stream=sys.stdout):
-    for run, seconds in all_runs():
-        state = "there" if (run.folder / "summary.json").exists() else f"{seconds:.0f} core-s"
-        print(f"{run.name:50} {state}", file=stream)

@@ -9,7 +9,7 @@ import bar
 import elements
 import laboratory
 from page import FOLDER
-from runs import perform
+from runs import perform, show
 
 HEAD = """# Fracture
 
@@ -18,6 +18,8 @@ Written by `scripts/validate_fracture`: `tests/fracture.rs` with large samples, 
 
 
 def main():
+    if "--list" in sys.argv:
+        return show(bar.runs() + laboratory.runs())
     elements.make()
     perform(bar.runs())
     perform(laboratory.runs())
