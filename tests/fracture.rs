@@ -234,7 +234,7 @@ impl Elements {
     fn tension(&self, i: usize) -> f64 {
         let columns = &self.columns;
         let (stress, pressure) = (columns.get(self.stress, i), columns.get(self.core.pressure, i));
-        damaged_stress(&stress, pressure, columns.get(self.damage, i)).xx
+        damaged_stress(&stress, pressure, columns.get(self.damage, i), false).xx
     }
 
     /// Pulls at a strain rate, 1/s, in steps of a strain, until most of the strength is gone.
@@ -383,7 +383,7 @@ fn tension(snapshot: &Path) -> f64 {
     let middle = (0..damage.len()).filter(|i| points[3 * i].abs() < 0.012);
     let tension = |i: usize| {
         let stress = Deviator { xx: stress[width * i], ..Default::default() };
-        damaged_stress(&stress, pressure[i], damage[i]).xx
+        damaged_stress(&stress, pressure[i], damage[i], false).xx
     };
     mean(&middle.map(tension).collect::<Vec<_>>()).0
 }

@@ -26,7 +26,6 @@ E_cv = 2e3
 alpha = 5
 beta = 5
 [material.rubber.strength]
-yield = "von_mises"
 shear_modulus = 0.22
 yield_strength = 1e3
 "#;

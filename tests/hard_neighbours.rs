@@ -7,7 +7,7 @@ use sph_mpi::material::eos::EosTable;
 use sph_mpi::math::Vec3;
 use sph_mpi::random::uniform;
 use sph_mpi::scene::Scene;
-use sph_mpi::step::pack::{PackSettings, Packer};
+use sph_mpi::step::pack::{BodyTraits, PackSettings, Packer};
 
 use crate::common::{ByHand, ranks};
 
@@ -293,17 +293,12 @@ fn rock_beside_spray() {
                 let text = SPRAY.replace("SMOOTHING", smoothing);
                 let mut hand = ByHand::<3>::with(&text, &[], comm, |columns, settings, _| {
                     if !capped {
-                        let viscosity = (0..2).map(|body| settings.packer.viscosity(body)).collect();
+                        let traits =
+                            |body| BodyTraits { viscosity: settings.packer.viscosity(body), ..Default::default() };
+                        let bodies = (0..2).map(traits).collect();
                         let (terms, constants) = (settings.pair_loop.layout.terms, settings.constants.clone());
                         // The cap is 2 (h / eta)^3.
-                        let pack = PackSettings {
-                            terms,
-                            constants,
-                            viscosity,
-                            by_loading: vec![false; 2],
-                            artificial_stress_factor: 0.0,
-                            eta: 0.01,
-                        };
+                        let pack = PackSettings { terms, constants, bodies, artificial_stress_factor: 0.0, eta: 0.01 };
                         settings.packer = Packer::new(&columns.registry, settings.core, pack);
                     }
                 });

@@ -78,6 +78,11 @@ impl MaterialTable {
         self.strength.is_some()
     }
 
+    /// Whether damage acts on shear through the yield strength alone.
+    pub fn has_friction(&self) -> bool {
+        self.strength.as_ref().is_some_and(strength::StrengthTable::has_friction)
+    }
+
     /// Distention that a body of it has unless it says otherwise, 1 without pores.
     pub fn distention(&self) -> f64 {
         self.porosity.as_ref().map_or(1.0, |table| table.distention.0)

@@ -16,7 +16,6 @@ pub fn basalt() -> MaterialTable {
         eos = { tillotson = { rho_0 = 2700, a = 0.5, b = 1.5, A = "26.7 GPa", B = "26.7 GPa", E_0 = 487e6, E_iv = 4.72e6,
             E_cv = 18.2e6, alpha = 5, beta = 5 } }
         [strength]
-        yield = "von_mises"
         shear_modulus = "22.7 GPa"
         yield_strength = "3.5 GPa"
         melting = { energy = 3.4e6 }
@@ -52,6 +51,7 @@ pub struct Rig {
     pub effects: Vec<Box<dyn MaterialEffect>>,
     constants: Vec<BodyConstants>,
     bodies: Vec<u16>,
+    friction: Vec<bool>,
 }
 
 impl Rig {
@@ -94,7 +94,8 @@ impl Rig {
             columns.set(core.id, body, ParticleId::new(body, 0));
         }
         let bodies = (0..count as u16).collect();
-        let mut rig = Self { core, columns, effects, constants, bodies };
+        let friction = materials.iter().map(MaterialTable::has_friction).collect();
+        let mut rig = Self { core, columns, effects, constants, bodies, friction };
         rig.each(0.0, &[], |effect, local| effect.initialise(local));
         rig
     }
@@ -174,7 +175,12 @@ impl Rig {
         let registry = &self.columns.registry;
         let at = |name| registry.find(name).map_or(0.0, |column| self.columns.get(column, i));
         let stress = registry.find(strength::DEVIATORIC_STRESS).map_or(Deviator::default(), |s| self.columns.get(s, i));
-        let sigma = fracture::damaged_stress(&stress, self.columns.get(self.core.pressure, i), at(fracture::DAMAGE));
+        let sigma = fracture::damaged_stress(
+            &stress,
+            self.columns.get(self.core.pressure, i),
+            at(fracture::DAMAGE),
+            self.friction[i],
+        );
         sigma.to_matrix().dot(gradient) / self.columns.get(self.core.density.value, i)
     }
 }

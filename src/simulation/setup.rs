@@ -17,7 +17,7 @@ use crate::pair::{PairLoop, Terms};
 use crate::particles::{Column, Columns, ParticleId, Registry};
 use crate::scene::{Blast, Body, Flow, Scene, SmoothingLength};
 use crate::step::diagnostics::sum_over_ranks;
-use crate::step::pack::{PackSettings, Packer};
+use crate::step::pack::{BodyTraits, PackSettings, Packer};
 use crate::step::stepper::StepSettings;
 
 /// What a scene needs, before any particle exists.
@@ -143,11 +143,11 @@ impl Plan {
             PackSettings {
                 terms: self.terms,
                 constants: self.constants.clone(),
-                viscosity: self.viscosity.clone(),
-                by_loading: scene
+                bodies: scene
                     .bodies
                     .iter()
-                    .map(|body| scene.materials[body.material].has_loading_speed())
+                    .zip(&self.viscosity)
+                    .map(|(body, pair)| traits(scene, body, *pair))
                     .collect(),
                 artificial_stress_factor: numerics.artificial_stress.map_or(0.0, |a| a.factor),
                 eta: numerics.eta,
@@ -203,4 +203,14 @@ fn heat(
 pub fn share(count: u64, comm: &Comm) -> Range<u64> {
     let part = |rank: usize| (count as u128 * rank as u128 / comm.size() as u128) as u64;
     part(comm.rank())..part(comm.rank() + 1)
+}
+
+fn traits(scene: &Scene, body: &Body, viscosity: (f64, f64)) -> BodyTraits {
+    let material = &scene.materials[body.material];
+    BodyTraits {
+        viscosity,
+        by_loading: material.has_loading_speed(),
+        friction: material.has_friction(),
+        fixed_damage: (!material.has_fracture()).then_some(body.damage),
+    }
 }

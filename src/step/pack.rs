@@ -21,13 +21,24 @@ pub struct Packer {
     damage: Option<Column<f64>>,
     smoothing_length: Option<Column<f64>>,
     constants: Vec<BodyConstants>,
-    /// (alpha, beta) of each body's material.
-    viscosity: Vec<(f64, f64)>,
-    by_loading: Vec<bool>,
+    bodies: Vec<BodyTraits>,
     /// Strength epsilon of the artificial stress.
     epsilon: f64,
     /// Spacing over smoothing length, to the power of the dimension, times two: V_max / h^d.
     most_volume: f64,
+}
+
+/// What the material of a body says about records.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct BodyTraits {
+    /// (alpha, beta).
+    pub viscosity: (f64, f64),
+    /// Whether viscosity goes by the speed of further compression.
+    pub by_loading: bool,
+    /// Whether damage acts on shear through the yield strength alone.
+    pub friction: bool,
+    /// Damage, where there is no fracture.
+    pub fixed_damage: Option<f64>,
 }
 
 /// What a scene says about records.
@@ -35,9 +46,7 @@ pub struct Packer {
 pub struct PackSettings {
     pub terms: Terms,
     pub constants: Vec<BodyConstants>,
-    pub viscosity: Vec<(f64, f64)>,
-    /// Bodies whose viscosity goes by the speed of further compression.
-    pub by_loading: Vec<bool>,
+    pub bodies: Vec<BodyTraits>,
     pub artificial_stress_factor: f64,
     /// Smoothing length over spacing.
     pub eta: f64,
@@ -54,8 +63,7 @@ impl Packer {
             damage: registry.find("damage"),
             smoothing_length: registry.find("smoothing_length"),
             constants: settings.constants,
-            viscosity: settings.viscosity,
-            by_loading: settings.by_loading,
+            bodies: settings.bodies,
             epsilon: settings.artificial_stress_factor,
             most_volume: 2.0 / settings.eta.powi(dimension as i32),
         }
@@ -82,7 +90,7 @@ impl Packer {
     /// alpha and beta of a body.
     #[inline]
     pub fn viscosity(&self, body: usize) -> (f64, f64) {
-        self.viscosity[body]
+        self.bodies[body].viscosity
     }
 
     /// Writes the records of owned particles `range` to `slots[i] * stride`.
@@ -114,9 +122,9 @@ impl Packer {
         record[layout.volume()] = volume;
         record[layout.density()] = constants.particle_mass / volume;
         record[layout.h_inverse()] = 1.0 / h;
-        let (alpha, beta) = self.viscosity[body];
+        let (alpha, beta) = self.bodies[body].viscosity;
         if layout.terms.viscosity != Viscosity::Off {
-            let speed = self.loading_speed.filter(|_| self.by_loading[body]).unwrap_or(self.core.sound_speed);
+            let speed = self.loading_speed.filter(|_| self.bodies[body].by_loading).unwrap_or(self.core.sound_speed);
             record[layout.alpha_c()] = alpha * columns.get(speed, i);
         }
         if layout.terms.viscosity == Viscosity::OwnBeta {
@@ -127,7 +135,7 @@ impl Packer {
             record[layout.stress()] = -pressure;
             return;
         }
-        let stress = self.damaged_stress(columns, i, pressure);
+        let stress = self.damaged_stress(columns, (i, body), pressure);
         write_tensor(layout.dimension, &stress, &mut record[layout.stress()..]);
         if layout.terms.artificial_stress {
             let r = artificial_stress(&stress, self.epsilon);
@@ -136,10 +144,11 @@ impl Packer {
     }
 
     /// The stress that neighbours see: deviator and tension weakened by damage, never written back.
-    fn damaged_stress(&self, columns: &Columns, i: usize, pressure: f64) -> Sym {
+    fn damaged_stress(&self, columns: &Columns, (i, body): (usize, usize), pressure: f64) -> Sym {
         let s = self.deviatoric_stress.map_or(Deviator::default(), |column| columns.get(column, i));
-        let damage = self.damage.map_or(0.0, |column| columns.get(column, i));
-        fracture::damaged_stress(&s, pressure, damage)
+        let grown = || self.damage.map_or(0.0, |column| columns.get(column, i));
+        let damage = self.bodies[body].fixed_damage.unwrap_or_else(grown);
+        fracture::damaged_stress(&s, pressure, damage, self.bodies[body].friction)
     }
 }
 

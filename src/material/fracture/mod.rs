@@ -15,7 +15,8 @@
 //!
 //! How many flaws a particle has, and at which strains they open, see `flaws`.
 //!
-//! Damage acts through a view of the stress, [`damaged_stress`], and is never written back into it.
+//! Damage acts through a view of the stress, [`damaged_stress`], and is never written back into it; on shear of matter with friction
+//! through its yield strength alone (see `strength`).
 //! Columns: owns `damage` and `activation_threshold`. D grows in `update` alone and never decreases.
 //! Time step: none; at a Courant number of 0.25 and with 12 active flaws D^(1/3) grows by 0.11 per step.
 
@@ -76,13 +77,27 @@ impl Table for FractureTable {
 }
 
 /// The stress that acts, where `s` and `pressure` are those of undamaged matter: (1 - D) S - P_D 1, with P_D = (1 - D)
-/// P in tension and P in compression (Jutzi et al. 2008, eq. 36, for tension). The pair sums and their energy use this
-/// view.
+/// P in tension and P in compression (Jutzi et al. 2008, eq. 36, for tension). With `friction` S has the damage in it already
+/// (Jutzi 2015, see `strength`). The pair sums and their energy use this view.
 #[inline]
-pub fn damaged_stress(s: &Deviator, pressure: f64, damage: f64) -> Sym {
+pub fn damaged_stress(s: &Deviator, pressure: f64, damage: f64, friction: bool) -> Sym {
     let intact = 1.0 - damage;
     let damaged_pressure = if pressure < 0.0 { intact * pressure } else { pressure };
-    s.with_mean(intact, -damaged_pressure)
+    s.with_mean(if friction { 1.0 } else { intact }, -damaged_pressure)
+}
+
+/// Declares the column of the damage, or finds it: strength with friction needs it before fracture does.
+pub fn damage_column(registry: &mut Registry) -> Column<f64> {
+    registry.find(DAMAGE).unwrap_or_else(|| {
+        let about = "Damage, 0 intact to 1 broken.";
+        registry.owner("fracture").column(ColumnInfo {
+            name: DAMAGE,
+            unit: "",
+            about,
+            life: Life::State,
+            snapshot: true,
+        })
+    })
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -94,6 +109,7 @@ struct Brittle {
     growth: f64,
     initial_damage: f64,
     porous: bool,
+    friction: bool,
 }
 
 impl Brittle {
@@ -111,6 +127,7 @@ impl Brittle {
             growth: CRACK_SPEED * sound / (2.0 * constants.smoothing_length),
             initial_damage: setup.initial_damage[body],
             porous: material.porosity.is_some(),
+            friction: strength.has_friction(),
         })
     }
 
@@ -167,12 +184,12 @@ impl MaterialEffect for Fracture {
     fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Option<Self> {
         let bodies = PerBody::new(setup, |body, material| Brittle::new(setup, body, material))?;
         let stress = registry.find(strength::DEVIATORIC_STRESS)?;
-        let state = |name, about, snapshot| ColumnInfo { name, unit: "", about, life: Life::State, snapshot };
+        let state = |name, about| ColumnInfo { name, unit: "", about, life: Life::State, snapshot: false };
         let pores = registry.find(porosity::DISTENTION).zip(registry.find(porosity::COMPACTION_DAMAGE));
+        let damage = damage_column(registry);
         registry.owner("fracture");
-        let damage = registry.column(state(DAMAGE, "Damage, 0 intact to 1 broken.", true));
         let threshold =
-            registry.column(state("activation_threshold", "Strain at which the weakest flaw begins to grow.", false));
+            registry.column(state("activation_threshold", "Strain at which the weakest flaw begins to grow."));
         Some(Self { bodies, id: core.id, damage, threshold, stress, pressure: core.pressure, pores })
     }
 
@@ -206,6 +223,9 @@ impl MaterialEffect for Fracture {
                 if let Some((distention, _)) = &pores {
                     let alpha = distention.get(i);
                     (s, p) = (s.scaled(alpha), alpha * p);
+                }
+                if brittle.friction {
+                    s = s.scaled(1.0 / intact); // the damage is in it
                 }
                 let strain = brittle.strain_above(threshold.get(i), &s, p, intact);
                 if let Some(strain) = strain {
@@ -263,15 +283,18 @@ mod tests {
     #[test]
     fn broken_matter_cannot_pull() {
         let s = Deviator { xx: 3.0, yy: -1.0, xy: 0.5, xz: 0.2, yz: -0.7 };
-        assert_eq!(damaged_stress(&s, -5.0, 1.0), Sym::ZERO);
-        assert_eq!(damaged_stress(&s, 5.0, 1.0), Sym { xx: -5.0, yy: -5.0, zz: -5.0, ..Sym::ZERO });
-        assert_eq!(damaged_stress(&s, 5.0, 0.0), s.with_mean(1.0, -5.0));
-        assert_eq!(damaged_stress(&s, -4.0, 0.5), s.with_mean(0.5, 2.0));
+        assert_eq!(damaged_stress(&s, -5.0, 1.0, false), Sym::ZERO);
+        assert_eq!(damaged_stress(&s, 5.0, 1.0, false), Sym { xx: -5.0, yy: -5.0, zz: -5.0, ..Sym::ZERO });
+        assert_eq!(damaged_stress(&s, 5.0, 0.0, false), s.with_mean(1.0, -5.0));
+        assert_eq!(damaged_stress(&s, -4.0, 0.5, false), s.with_mean(0.5, 2.0));
+        // With friction the yield strength has taken from the deviator what damage takes.
+        assert_eq!(damaged_stress(&s, 5.0, 1.0, true), s.with_mean(1.0, -5.0));
+        assert_eq!(damaged_stress(&s, -4.0, 0.5, true), s.with_mean(1.0, 2.0));
     }
 
     fn brittle() -> Brittle {
         let flaws = flaws(1);
-        Brittle { flaws, youngs_modulus: 5e10, growth: 2.0, initial_damage: 0.0, porous: false }
+        Brittle { flaws, youngs_modulus: 5e10, growth: 2.0, initial_damage: 0.0, porous: false, friction: false }
     }
 
     /// One flaw: D = (c_g t / R_s)^3, up to 1 and no further.
@@ -312,7 +335,7 @@ mod tests {
         let s = Deviator { xx: 3e8, yy: -1e8, xy: 0.5e8, xz: 0.2e8, yz: -0.7e8 };
         for pressure in [-2e8, 1e8] {
             for damage in [0.0, 0.4, 0.5] {
-                let sigma = damaged_stress(&s, pressure, damage).largest_principal();
+                let sigma = damaged_stress(&s, pressure, damage, false).largest_principal();
                 let strain = brittle.strain_above(0.0, &s, pressure, 1.0 - damage).unwrap();
                 assert!((strain * (1.0 - damage) * brittle.youngs_modulus / sigma - 1.0).abs() < 1e-12);
                 assert_eq!(brittle.strain_above(1.0001 * strain, &s, pressure, 1.0 - damage), None);
