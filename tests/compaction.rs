@@ -172,6 +172,8 @@ fn wave(alpha_0: f64, speed: f64, until: f64, spacing: f64) -> Value {
         format!("column.position=[{}, {}]", 0.01 - 0.5 * thick, 0.5 * height),
         format!("column.spacing={spacing}"),
         format!("column.distention={alpha_0}"),
+        "layer.0.z=false".into(),
+        "layer.1.z=false".into(),
         format!("layer.0.x=[{}, 0]", -thick),
         format!("layer.0.motion={{ velocity = [{speed}, 0] }}"),
         format!("layer.1.x=[{}, 0.02]", 0.02 - thick),

@@ -95,6 +95,8 @@ fn cases() -> Vec<Case> {
         case("gas", "", true, with(&[]), viscous, 6 + 1 + 3 + 1),
         case("+ strength", "[material.basalt.strength]", false, with(&STRENGTH), solid, 6 + 6 + 3 + 1),
         case("+ fracture", "[material.basalt.fracture]", false, with(&FRACTURE), solid, 6 + 6 + 3 + 1),
+        // Friction reads pressure and damage that are there.
+        case("+ friction", "[material.basalt.strength.collins]", false, with(&[]), solid, 6 + 6 + 3 + 1),
         // What pores change is in the pressure, the stress and the damage that a record holds anyway.
         case("+ porosity", "[material.basalt.porosity.p_alpha.quadratic]", false, with(&PORES), solid, 6 + 6 + 3 + 1),
         case(

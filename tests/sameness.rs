@@ -231,6 +231,49 @@ picture = false
     );
 }
 
+/// Broken rock that rubs, hit by intact rock that breaks.
+#[test]
+fn impact_with_friction() {
+    compare_scene(
+        "friction",
+        r#"
+title = "Two balls with friction"
+
+[[body]]
+name = "target"
+shape = { sphere = { radius = "1 km" } }
+material = "basalt"
+particles = 1200
+damage = 1.0
+
+[[body]]
+name = "projectile"
+shape = { sphere = { radius = "400 m" } }
+material = "granite"
+
+[impact]
+speed = "3 km/s"
+angle = "45 deg"
+
+[material.basalt.strength]
+collins = true
+[material.basalt.strength.melting]
+[material.granite.strength]
+collins = { cohesion = "90 MPa", internal_friction = 2.0, friction = 0.6, damaged_cohesion = "1 MPa" }
+[material.granite.fracture]
+
+[numerics]
+corrected_gradient = true
+
+[run]
+until = "1 s"
+
+[output]
+picture = false
+"#,
+    );
+}
+
 /// Pores that crush and break what is around them: P-alpha with elastic pores on one side, epsilon-alpha on the other.
 #[test]
 fn impact_of_porous_bodies() {

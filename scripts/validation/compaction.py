@@ -54,27 +54,28 @@ COLUMNS = {
 }
 
 
-def column(wave, spacing, dimension):
-    settings = slab({"column": (-10 * spacing, wave.length, None)}, spacing, dimension)
-    velocity = f"[{wave.speed}" + ", 0" * (dimension - 1) + "]"
-    settings += [
+def plate(wave, spacing):
+    """Along x, in the plane."""
+    return slab({"column": (-10 * spacing, wave.length, None)}, spacing, 2) + [
+        "layer.0.z=false",
+        "layer.1.z=false",
         f"column.distention={wave.distention}",
         f"layer.0.x=[{-10 * spacing}, 0]",
-        f"layer.0.motion={{ velocity = {velocity} }}",
+        f"layer.0.motion={{ velocity = [{wave.speed}, 0] }}",
         f"layer.1.x=[{wave.length - 10 * spacing}, {wave.length}]",
         f"compare.within=[{wave.speed * wave.until + 1e-4}, {0.925 * wave.length}]",
         f"run.until={wave.until}",
+        *wave.settings,
     ]
-    return settings + wave.settings
 
 
 def plane(name, spacing):
     word = name.replace(" m/s", "").replace(", ", "_").replace(" ", "_").replace("=", "")
-    return Run(f"compaction/{word}_{1e6 * spacing:g}um", "compaction_wave.toml", column(WAVES[name], spacing, 2))
+    return Run(f"compaction/{word}_{1e6 * spacing:g}um", "compaction_wave.toml", plate(WAVES[name], spacing))
 
 
 def space():
-    return Run("compaction/space", "compaction_wave.toml", column(PAPER, SPACE, 3))
+    return Run("compaction/space", "compaction_wave.toml")
 
 
 def cylinder():

@@ -213,7 +213,6 @@ mod tests {
             eos = { tillotson = { rho_0 = 2700, a = 0.5, b = 1.5, A = "26.7 GPa", B = "26.7 GPa", E_0 = 487e6, E_iv = 4.72e6,
                 E_cv = 18.2e6, alpha = 5, beta = 5 } }
             [strength]
-            yield = "von_mises"
             shear_modulus = "22.7 GPa"
             yield_strength = "3.5 GPa"
             melting = { energy = 3.4e6 }

@@ -304,7 +304,6 @@ speed = "5 km/s"
 angle = "45 deg"
 
 [material.basalt.strength]
-yield = "von_mises"
 [material.basalt.fracture]
 model = "grady_kipp"
 seed = 1

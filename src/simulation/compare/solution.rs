@@ -186,6 +186,9 @@ fn piston(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
         Some(sponge) => sponge.piston(speed.abs())?,
         None => Piston::new(&Solid::of(driven_material).ok_or_else(|| needs("a solid"))?, speed.abs())?,
     };
+    if driven_material.has_friction() {
+        return Err(needs("a solid whose strength does not depend on pressure"));
+    }
     let side = speed.signum();
     let at = Box::new(move |x: f64, t: f64| {
         let x = side * (x - face);
