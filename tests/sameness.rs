@@ -250,6 +250,7 @@ damage = 1.0
 name = "projectile"
 shape = { sphere = { radius = "400 m" } }
 material = "granite"
+rubble = { radius = ["100 m", "200 m"], voids = 0.65 }
 
 [impact]
 speed = "3 km/s"

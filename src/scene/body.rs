@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
+use super::blocks::{Joints, Rubble};
 use super::boundaries::fills;
 use super::lattice::{Faces, IDENTITY, Lattice, LatticeKind, Rotation, random_rotation, rotation_about};
 use super::raw::{Components, RawBody, RawOrientation, RawShape, Spacing};
@@ -43,12 +44,14 @@ pub struct Body {
     pub motion: Motion,
     pub flow: Option<Flow>,
     pub blast: Option<Blast>,
+    pub rubble: Option<Rubble>,
+    pub joints: Option<Joints>,
 }
 
 impl Body {
-    /// Exact volume of the shape, m^3 (in 2D m^2, per metre of depth).
+    /// Exact volume of its matter, m^3 (in 2D m^2, per metre of depth).
     pub fn volume(&self) -> f64 {
-        self.shape.volume(self.dimension)
+        self.rubble.as_ref().map_or_else(|| self.shape.volume(self.dimension), |rubble| rubble.volume)
     }
 
     /// Exact mass of the shape, kg (per metre of depth in 2D).
@@ -69,6 +72,18 @@ impl Body {
         std::array::from_fn(|k| self.velocity[k] + turning[k] + flow[k])
     }
 
+    /// Damage at the start of a particle at `point`: whole where a joint or the surface of a block is less than a spacing away.
+    pub fn damage_at(&self, point: [f64; 3]) -> f64 {
+        let local = std::array::from_fn(|k| point[k] - self.centre[k]);
+        let joint = self.joints.as_ref().map_or(f64::INFINITY, |joints| joints.depth(local));
+        let surface = self.rubble.as_ref().and_then(|rubble| rubble.depth(local)).unwrap_or(f64::INFINITY);
+        if joint.min(surface) < self.lattice.spacing { 1.0 } else { self.damage }
+    }
+
+    fn holds(&self, local: [f64; 3]) -> bool {
+        is_filled(local, &self.shape, self.rubble.as_ref(), self.dimension)
+    }
+
     /// Lattice sites are numbered below this; those inside the shape are its particles.
     pub fn lattice_sites(&self) -> u64 {
         self.lattice.sites()
@@ -78,14 +93,13 @@ impl Body {
     pub fn sites(&self, range: Range<u64>) -> impl Iterator<Item = (u64, [f64; 3])> + '_ {
         range.filter_map(|site| {
             let local = self.lattice.position(site);
-            let inside = self.shape.contains(local, self.dimension);
-            inside.then(|| (site, std::array::from_fn(|k| self.centre[k] + local[k])))
+            self.holds(local).then(|| (site, std::array::from_fn(|k| self.centre[k] + local[k])))
         })
     }
 
     /// Particles among the sites of `range`.
     pub fn count(&self, range: Range<u64>) -> u64 {
-        range.filter(|site| self.shape.contains(self.lattice.position(*site), self.dimension)).count() as u64
+        range.filter(|site| self.holds(self.lattice.position(*site))).count() as u64
     }
 
     /// Particles as expected from the volume; the true number differs at the surface.
@@ -104,6 +118,11 @@ impl Body {
     pub fn expected_smoothing_length(&self, eta: f64) -> f64 {
         eta * root(self.lattice.cell_volume(), self.dimension)
     }
+}
+
+/// Whether there is matter at a place relative to the centre of a shape.
+fn is_filled(local: [f64; 3], shape: &Shape, rubble: Option<&Rubble>, dimension: usize) -> bool {
+    shape.contains(local, dimension) && rubble.is_none_or(|rubble| rubble.depth(local).is_some())
 }
 
 /// The d-th root.
@@ -134,7 +153,8 @@ impl Reader<'_> {
         let distention = self.distention(raw, material.1)?;
         let (density, internal_energy) = self.thermal_state(raw, material.1, distention)?;
         let rotation = self.rotation(raw)?;
-        let lattice = self.lattice(raw, &shape, rotation)?;
+        let rubble = self.rubble(raw, &shape)?;
+        let lattice = self.lattice(raw, (&shape, rubble.as_ref()), rotation)?;
         let zero = |n: usize| vec![0.0; n];
         if !self.placed {
             raw.position.get_or_insert_with(|| Components(zero(self.dimension).into_iter().map(Length::new).collect()));
@@ -164,6 +184,8 @@ impl Reader<'_> {
             motion: Motion::Free,
             flow: self.flow(raw)?,
             blast: self.blast(raw)?,
+            rubble,
+            joints: self.joints(raw, &shape, material.1)?,
         };
         let body = Body { motion: self.motion(raw, body.velocity)?, ..body };
         let mass = body.mass();
@@ -265,6 +287,22 @@ impl Reader<'_> {
         raw.blast.as_ref().map(|blast| blast.validate(self.document, &path)).transpose()
     }
 
+    fn rubble(&self, raw: &RawBody, shape: &Shape) -> Result<Option<Rubble>> {
+        let path = format!("{}.rubble", self.path);
+        raw.rubble.as_ref().map(|rubble| rubble.pile(self.document, &path, shape, self.dimension)).transpose()
+    }
+
+    fn joints(&self, raw: &RawBody, shape: &Shape, material: &MaterialTable) -> Result<Option<Joints>> {
+        let Some(joints) = &raw.joints else { return Ok(None) };
+        if !material.has_fracture() {
+            let what = format!("material `{}` has no fracture, so there are no joints", raw.material);
+            let error = self.error("joints", what);
+            return Err(error.allowed(format!("a table [material.{}.fracture]", raw.material)));
+        }
+        let path = format!("{}.joints", self.path);
+        joints.network(self.document, &path, shape, self.dimension).map(Some)
+    }
+
     fn damage(&self, raw: &mut RawBody, material: &MaterialTable) -> Result<f64> {
         match raw.damage {
             None if material.has_fracture() => raw.damage = Some(Number::new(0.0)),
@@ -363,7 +401,12 @@ impl Reader<'_> {
         }
     }
 
-    fn lattice(&self, raw: &mut RawBody, shape: &Shape, rotation: Rotation) -> Result<Lattice> {
+    fn lattice(
+        &self,
+        raw: &mut RawBody,
+        (shape, rubble): (&Shape, Option<&Rubble>),
+        rotation: Rotation,
+    ) -> Result<Lattice> {
         if raw.particles.is_none() && raw.spacing.is_none() && self.target_spacing.is_some() {
             raw.spacing = Some(Spacing::OfTarget);
         }
@@ -375,7 +418,7 @@ impl Reader<'_> {
             let what = "a turned lattice does not go on beyond a period";
             return Err(self.error("orientation", what).allowed("no orientation"));
         }
-        let filling = Filling { kind: raw.lattice, rotation, shape, dimension: self.dimension, faces };
+        let filling = Filling { kind: raw.lattice, rotation, shape, rubble, dimension: self.dimension, faces };
         let lattice = match (raw.particles, raw.spacing) {
             (Some(_), Some(_)) => {
                 return Err(self.error("particles", "both particles and spacing are given").allowed("one of them"));
@@ -405,6 +448,7 @@ struct Filling<'a> {
     kind: LatticeKind,
     rotation: Rotation,
     shape: &'a Shape,
+    rubble: Option<&'a Rubble>,
     dimension: usize,
     faces: Faces,
 }
@@ -415,11 +459,13 @@ impl Filling<'_> {
     }
 
     fn spacing_of(&self, particles: f64) -> f64 {
-        self.kind.spacing_of_cell(self.shape.volume(self.dimension) / particles, self.dimension)
+        let volume = self.rubble.map_or_else(|| self.shape.volume(self.dimension), |rubble| rubble.volume);
+        self.kind.spacing_of_cell(volume / particles, self.dimension)
     }
 
     fn count(&self, lattice: &Lattice) -> u64 {
-        (0..lattice.sites()).filter(|site| self.shape.contains(lattice.position(*site), self.dimension)).count() as u64
+        let holds = |site: &u64| is_filled(lattice.position(*site), self.shape, self.rubble, self.dimension);
+        (0..lattice.sites()).filter(holds).count() as u64
     }
 
     /// The spacing follows from the volume; flat faces can hold a row more or less than that, so spacings near it are tried

@@ -2,6 +2,7 @@
 //! [`Scene`]. Reading is pure and needs one process; a scene can be sent as bytes (serde) with every number's bits.
 
 pub mod ask;
+pub mod blocks;
 pub mod body;
 pub mod boundaries;
 pub mod compare;

@@ -9,6 +9,7 @@ use serde::de::{IntoDeserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::ask::{RawAsked, RawProbe};
+use super::blocks::{RawJoints, RawRubble};
 use super::boundaries::{RawDomain, RawLayer, RawMotion};
 use super::compare::RawCompare;
 use super::lattice::LatticeKind;
@@ -75,6 +76,8 @@ pub struct RawBody {
     pub motion: Option<RawMotion>,
     pub flow: Option<RawFlow>,
     pub blast: Option<RawBlast>,
+    pub rubble: Option<RawRubble>,
+    pub joints: Option<RawJoints>,
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]

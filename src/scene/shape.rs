@@ -92,6 +92,23 @@ impl Shape {
         }
     }
 
+    /// Distance of a point inside from the surface, m.
+    pub fn depth(&self, point: [f64; 3], dimension: usize) -> f64 {
+        let [x, y, z] = point;
+        let from_centre = (x * x + y * y + z * z).sqrt();
+        match *self {
+            Shape::Sphere { radius } => radius - from_centre,
+            Shape::HalfSphere { radius, inner } => {
+                let hollow = if inner > 0.0 { from_centre - inner } else { f64::INFINITY };
+                (radius - from_centre).min(-point[dimension - 1]).min(hollow)
+            }
+            Shape::Cylinder { radius, height } => (radius - (x * x + y * y).sqrt()).min(0.5 * height - z.abs()),
+            Shape::Box { size } => {
+                (0..dimension).map(|axis| 0.5 * size[axis] - point[axis].abs()).fold(f64::INFINITY, f64::min)
+            }
+        }
+    }
+
     /// The largest distance from the outer faces that there is within the shape, m.
     pub fn largest_outer_distance(&self, across: [bool; 3], dimension: usize) -> f64 {
         let innermost = match *self {

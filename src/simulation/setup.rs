@@ -98,6 +98,7 @@ impl Plan {
         let core = self.core;
         let mut columns = Columns::new(self.registry.clone());
         let internal_energy = self.registry.find::<f64>("internal_energy");
+        let damage = self.registry.find::<f64>(material::fracture::DAMAGE);
         for (number, body) in scene.bodies.iter().enumerate() {
             let mode = match body.flow {
                 Some(Flow::Mode { shape, speed }) => Some((modes::Shape::new(scene, body, shape)?, speed)),
@@ -122,6 +123,9 @@ impl Plan {
                     columns.set(layer, i, held.map_or(0.0, |layer| (layer + 1) as f64));
                 }
                 columns.set(core.density.value, i, body.density);
+                if let Some(damage) = damage.filter(|_| scene.materials[body.material].has_fracture()) {
+                    columns.set(damage, i, body.damage_at(position));
+                }
                 if let Some(u) = internal_energy {
                     columns.set(u, i, body.internal_energy);
                 }

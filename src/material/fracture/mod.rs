@@ -201,7 +201,8 @@ impl MaterialEffect for Fracture {
         let (id, damage, threshold) = (local.view(self.id), local.view(self.damage), local.view(self.threshold));
         for (brittle, range) in self.bodies.runs(local) {
             for i in range {
-                damage.set(i, brittle.initial_damage);
+                // Joints are there already.
+                damage.set(i, damage.get(i).max(brittle.initial_damage));
                 threshold.set(i, brittle.flaws.weakest(id.get(i)));
             }
         }
