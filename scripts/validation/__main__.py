@@ -11,12 +11,13 @@ import sys
 
 import compaction
 import convergence
+import crush
 import hugoniots
 import page
 import price
 from runs import perform, show
 
-SECTIONS = {"convergence": convergence, "hugoniots": hugoniots, "compaction": compaction, "price": price}
+SECTIONS = {"convergence": convergence, "hugoniots": hugoniots, "compaction": compaction, "crush": crush, "price": price}
 
 
 def main(words):
