@@ -10,12 +10,15 @@
 //! Pair potential: a point mass spread over the cubic spline kernel, `h_ij = max(h_i, h_j)`, exactly Newtonian from
 //! r = 2 h_ij on (Price and Monaghan 2007, MNRAS 374, appendix A). Cells are expanded only where no pair is softened.
 
+pub mod attraction;
 pub mod cells;
 pub mod moments;
+pub mod multipole;
 pub mod top;
 pub mod tree;
 pub mod walk;
 
+pub use attraction::{Attraction, Matter, OwnGravity};
 pub use moments::{Acceleration, Field, Potential};
 pub use tree::Tree;
 

@@ -5,6 +5,7 @@ use std::ops::Range;
 use serde::{Deserialize, Serialize};
 
 use super::boundaries::fills;
+use super::hydrostatic::Start;
 use super::lattice::{Faces, IDENTITY, Lattice, LatticeKind, Rotation, random_rotation, rotation_about};
 use super::raw::{Components, RawBody, RawOrientation, RawShape, Spacing};
 use super::shape::Shape;
@@ -43,6 +44,7 @@ pub struct Body {
     pub motion: Motion,
     pub flow: Option<Flow>,
     pub blast: Option<Blast>,
+    pub start: Start,
 }
 
 impl Body {
@@ -164,6 +166,7 @@ impl Reader<'_> {
             motion: Motion::Free,
             flow: self.flow(raw)?,
             blast: self.blast(raw)?,
+            start: raw.start,
         };
         let body = Body { motion: self.motion(raw, body.velocity)?, ..body };
         let mass = body.mass();

@@ -11,6 +11,8 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use super::ask::{RawAsked, RawProbe};
 use super::boundaries::{RawDomain, RawLayer, RawMotion};
 use super::compare::RawCompare;
+use super::gravity::RawGravity;
+use super::hydrostatic::Start;
 use super::lattice::LatticeKind;
 use super::numerics::RawNumerics;
 use super::settings::{RawOutput, RawRun, RawThreshold};
@@ -32,6 +34,7 @@ pub struct RawScene {
     pub impact: Option<RawImpact>,
     #[serde(default)]
     pub domain: RawDomain,
+    pub gravity: Option<RawGravity>,
     #[serde(default)]
     pub material: BTreeMap<String, MaterialTable>,
     #[serde(default)]
@@ -75,6 +78,8 @@ pub struct RawBody {
     pub motion: Option<RawMotion>,
     pub flow: Option<RawFlow>,
     pub blast: Option<RawBlast>,
+    #[serde(default)]
+    pub start: Start,
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
