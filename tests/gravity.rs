@@ -149,7 +149,7 @@ fn what_cannot_be_is_refused() {
         let found = error(&[change]);
         assert!(found.contains(said), "{change}: {found}");
     }
-    let empty = Scene::parse("scene.toml", &COLUMN.replace("uniform", "# uniform"), &[]).err().expect("an error");
+    let empty = Scene::parse("scene.toml", &COLUMN.replace("uniform", "# uniform"), &[]).expect_err("an error");
     assert!(empty.to_string().contains("nothing attracts"), "{empty}");
 }
 
@@ -401,17 +401,8 @@ fn gravity_holds_two_columns_and_sends_no_more() {
     let (even, same_terms) = columns(&["gravity.self=false", "gravity.uniform=[0, 0, 1]"]);
     assert_eq!((&none, terms), (&even, same_terms));
     let (own, same_terms) = columns(&[]);
-    let more: Vec<&String> = own.iter().filter(|name| !none.contains(name)).collect();
-    assert_eq!(
-        (more, terms),
-        (
-            vec!["gravity", "gravitational_potential"]
-                .iter()
-                .map(|s| own.iter().find(|n| n == s).expect("a column"))
-                .collect(),
-            same_terms
-        )
-    );
+    let more: Vec<&str> = own.iter().filter(|name| !none.contains(name)).map(String::as_str).collect();
+    assert_eq!((&more[..], terms), (&["gravity", "gravitational_potential"][..], same_terms));
 }
 
 /// A small planet of molten rock that starts under its own weight.

@@ -11,12 +11,13 @@ import sys
 
 import compaction
 import convergence
+import gravity
 import hugoniots
 import page
 import price
 from runs import perform, show
 
-SECTIONS = {"convergence": convergence, "hugoniots": hugoniots, "compaction": compaction, "price": price}
+SECTIONS = {"convergence": convergence, "hugoniots": hugoniots, "compaction": compaction, "gravity": gravity, "price": price}
 
 
 def main(words):

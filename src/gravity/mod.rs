@@ -1,4 +1,6 @@
-//! Newtonian gravity by a distributed octree with quadrupoles (Barnes and Hut 1986; Salmon and Warren 1994).
+//! Newtonian gravity: what it does to particles ([`attraction`]), their field on each other by multipoles of cells on cells
+//! ([`multipole`]), and here, for bound mass, the potential of some bodies at other places, by a distributed octree with quadrupoles
+//! (Barnes and Hut 1986; Salmon and Warren 1994).
 //!
 //! Everything that decides about the result - root cube, cells, leaves, expansions, opening tests, the order of sums -
 //! follows from the set of sources alone, so that potentials have the same bits on any number of ranks:

@@ -15,7 +15,7 @@ pub struct Bodies {
 const NEAREST2: f64 = 1e-36;
 
 impl Bodies {
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.mass.len()
     }
 
@@ -44,7 +44,7 @@ impl Bodies {
 
     /// Bodies without mass, far away, up to whole vectors of lanes.
     pub fn pad(&mut self) {
-        while self.len() % LANES != 0 {
+        while self.count() % LANES != 0 {
             self.push(&[4.0; 3], 0.0, 1e-3);
         }
     }
@@ -65,7 +65,7 @@ pub struct Place {
 pub unsafe fn add_distant<L: Lanes>(sources: &Bodies, place: &Place, sums: &mut [L; 4]) {
     // SAFETY: the caller's.
     unsafe {
-        for at in (0..sources.len()).step_by(LANES) {
+        for at in (0..sources.count()).step_by(LANES) {
             let (x, mass) = read::<L>(sources, place, at);
             let inverse = r2(&x).max(L::splat(NEAREST2)).inverse_root();
             add(&x, mass.mul(inverse), inverse.mul(inverse), sums);
@@ -83,7 +83,7 @@ pub unsafe fn add_near<L: Lanes>(sources: &Bodies, place: &Place, sums: &mut [L;
     // SAFETY: the caller's.
     unsafe {
         let (own, own_inverse) = (L::splat(place.softening), L::splat(1.0 / place.softening));
-        for at in (0..sources.len()).step_by(LANES) {
+        for at in (0..sources.count()).step_by(LANES) {
             let (x, mass) = read::<L>(sources, place, at);
             let r2 = r2(&x).max(L::splat(NEAREST2));
             let inverse = r2.inverse_root();

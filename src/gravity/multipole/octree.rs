@@ -194,10 +194,10 @@ impl Octree {
 
     /// Appends a subtree whose leaves count their bodies from zero.
     pub fn graft(&mut self, part: &Octree) {
-        let base = self.bodies.len() as u64;
+        let base = self.bodies.count() as u64;
         self.nodes.extend(part.nodes.iter().map(|node| Node { first: node.first + base, ..*node }));
         self.rows.extend_from_slice(&part.rows);
-        self.bodies.extend(&part.bodies, 0..part.bodies.len());
+        self.bodies.extend(&part.bodies, 0..part.bodies.count());
     }
 
     /// Copies the part of a subtree below `at` of which `is_far` says that nobody opens it only as it is seen from outside.
@@ -210,7 +210,7 @@ impl Octree {
         part.nodes.push(node);
         part.rows.extend_from_slice(self.row(at));
         if node.is_leaf() {
-            part.nodes[index].first = part.bodies.len() as u64;
+            part.nodes[index].first = part.bodies.count() as u64;
             part.bodies.extend(&self.bodies, node.bodies());
             return;
         }

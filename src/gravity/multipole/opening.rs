@@ -46,20 +46,20 @@ impl Opening {
     #[inline]
     pub fn is_far(&self, r2: f64, a: &Side, b: &Side) -> bool {
         let size = a.radius + b.radius;
-        let ratio = size * size / r2;
         let reach = size + 2.0 * a.softening.max(b.softening);
-        if ratio >= self.angle * self.angle || reach * reach >= r2 {
+        if reach * reach >= r2 || size * size >= self.angle * self.angle * r2 {
             return false;
         }
         if self.accuracy == f64::INFINITY {
             return true;
         }
-        let mut power = ratio;
-        for _ in 1..self.order {
-            power *= ratio;
+        // The third condition, squared and times R^(2 P + 4).
+        let (mut sizes, mut distances) = (1.0, self.accuracy * self.accuracy * r2 * r2);
+        for _ in 0..self.order {
+            sizes *= size * size;
+            distances *= r2;
         }
-        let allowed = self.accuracy * self.accuracy * r2 * r2;
-        let off = |by: &Side, of: &Side| by.mass * by.mass * power <= allowed * (of.acceleration * of.acceleration);
+        let off = |by: &Side, of: &Side| by.mass * by.mass * sizes <= distances * (of.acceleration * of.acceleration);
         off(b, a) && off(a, b)
     }
 }

@@ -280,7 +280,7 @@ impl Forest<'_> {
 }
 
 fn write_part(index: usize, part: &Octree, words: &mut Vec<u64>) {
-    words.extend([index as u64, part.nodes.len() as u64, part.bodies.len() as u64]);
+    words.extend([index as u64, part.nodes.len() as u64, part.bodies.count() as u64]);
     words.extend_from_slice(bytemuck::cast_slice(&part.nodes));
     words.extend_from_slice(bytemuck::cast_slice(&part.rows));
     let Bodies { position: [x, y, z], mass, softening, .. } = &part.bodies;
