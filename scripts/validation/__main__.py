@@ -12,12 +12,13 @@ import sys
 import compaction
 import convergence
 import crush
+import gravity
 import hugoniots
 import page
 import price
 from runs import perform, show
 
-SECTIONS = {"convergence": convergence, "hugoniots": hugoniots, "compaction": compaction, "crush": crush, "price": price}
+SECTIONS = {"convergence": convergence, "hugoniots": hugoniots, "compaction": compaction, "crush": crush, "gravity": gravity, "price": price}
 
 
 def main(words):

@@ -34,9 +34,17 @@ impl Root {
 
     /// Morton key of the deepest cell around a place.
     pub fn key(&self, position: &[f64; 3]) -> u64 {
-        let cells = (1u64 << DEEPEST) as f64;
-        let axis = |k: usize| (((position[k] - self.corner[k]) / self.side * cells) as u64).min((1 << DEEPEST) - 1);
-        spread(axis(0)) << 2 | spread(axis(1)) << 1 | spread(axis(2))
+        key_within(&self.within(position))
+    }
+
+    /// m.
+    pub fn side(&self) -> f64 {
+        self.side
+    }
+
+    /// In sides of the cube from its corner.
+    pub fn within(&self, position: &[f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|k| (position[k] - self.corner[k]) / self.side)
     }
 
     /// Side of the cells of a level, m.
@@ -46,10 +54,15 @@ impl Root {
 
     /// Geometric centre of a cell, m.
     pub fn centre(&self, cell: Cell) -> Vec3 {
-        let side = self.side_at(cell.level);
-        let axis = |shift: u32| (gather(cell.first_key() >> shift) >> (DEEPEST - cell.level)) as f64 + 0.5;
-        self.corner + Vec3::new(axis(2), axis(1), axis(0)) * side
+        self.corner + Vec3::from(cell.middle()) * self.side
     }
+}
+
+/// Morton key of the deepest cell around a place given in sides of the root cube from its corner.
+pub fn key_within(place: &[f64; 3]) -> u64 {
+    let cells = (1u64 << DEEPEST) as f64;
+    let axis = |k: usize| ((place[k] * cells) as u64).min((1 << DEEPEST) - 1);
+    spread(axis(0)) << 2 | spread(axis(1)) << 1 | spread(axis(2))
 }
 
 /// A cell: `level` halvings below the root, `path` the octants on the way, three bits each.
@@ -64,6 +77,13 @@ impl Cell {
 
     pub fn child(self, octant: u64) -> Self {
         Self { level: self.level + 1, path: self.path << 3 | octant }
+    }
+
+    /// Geometric centre, in sides of the root cube from its corner.
+    pub fn middle(self) -> [f64; 3] {
+        let width = 1.0 / (1u64 << self.level) as f64;
+        let axis = |shift: u32| (gather(self.first_key() >> shift) >> (DEEPEST - self.level)) as f64 + 0.5;
+        [axis(2) * width, axis(1) * width, axis(0) * width]
     }
 
     /// The least key in the cell.

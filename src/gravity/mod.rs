@@ -1,4 +1,6 @@
-//! Newtonian gravity by a distributed octree with quadrupoles (Barnes and Hut 1986; Salmon and Warren 1994).
+//! Newtonian gravity: what it does to particles ([`attraction`]), their field on each other by multipoles of cells on cells
+//! ([`multipole`]), and here, for bound mass, the potential of some bodies at other places, by a distributed octree with quadrupoles
+//! (Barnes and Hut 1986; Salmon and Warren 1994).
 //!
 //! Everything that decides about the result - root cube, cells, leaves, expansions, opening tests, the order of sums -
 //! follows from the set of sources alone, so that potentials have the same bits on any number of ranks:
@@ -10,12 +12,15 @@
 //! Pair potential: a point mass spread over the cubic spline kernel, `h_ij = max(h_i, h_j)`, exactly Newtonian from
 //! r = 2 h_ij on (Price and Monaghan 2007, MNRAS 374, appendix A). Cells are expanded only where no pair is softened.
 
+pub mod attraction;
 pub mod cells;
 pub mod moments;
+pub mod multipole;
 pub mod top;
 pub mod tree;
 pub mod walk;
 
+pub use attraction::{Attraction, Matter, OwnGravity};
 pub use moments::{Acceleration, Field, Potential};
 pub use tree::Tree;
 

@@ -20,7 +20,7 @@ impl Tree {
         let root = Root::around(comm, sources.iter().map(|s| &s.position));
         let lattice = Lattice { root, opening };
         let mut keyed = in_order(&root, sources.iter().copied());
-        let ends = find_ends(comm, &keyed);
+        let ends = find_ends(comm, &keyed, LEAF as i64);
         let owners = find_owners(comm, &ends, &keyed);
         keyed = deliver(comm, &root, &ends, &owners, keyed);
 
@@ -47,18 +47,18 @@ fn in_order(root: &Root, sources: impl Iterator<Item = Source>) -> Vec<(u64, Sou
     keyed
 }
 
-/// The sources in a cell, out of sources in order.
-fn within(cell: Cell, keyed: &[(u64, Source)]) -> &[(u64, Source)] {
+/// What lies in a cell, out of keyed things in order.
+pub(super) fn within<T>(cell: Cell, keyed: &[(u64, T)]) -> &[(u64, T)] {
     let begin = keyed.partition_point(|(key, _)| *key < cell.first_key());
     let end = keyed.partition_point(|(key, _)| *key < cell.end_key());
     &keyed[begin..end]
 }
 
-/// The ends of the top, along the curve: cells with sources that are not split, or are small enough for one rank.
-fn find_ends(comm: &Comm, keyed: &[(u64, Source)]) -> Vec<Cell> {
+/// The ends of the top, along the curve: cells with sources that are not split, being leaves, or are small enough for one rank.
+pub(super) fn find_ends<T>(comm: &Comm, keyed: &[(u64, T)], leaf: i64) -> Vec<Cell> {
     let mut total = [keyed.len() as i64];
     comm.all_sum(&mut total);
-    let enough = (LEAF as i64).max(total[0] / (BRANCHES_PER_RANK * comm.size() as u64) as i64);
+    let enough = leaf.max(total[0] / (BRANCHES_PER_RANK * comm.size() as u64) as i64);
     let (mut frontier, mut ends) = (vec![Cell::ROOT], Vec::new());
     while !frontier.is_empty() {
         let mut counts: Vec<i64> = frontier.iter().map(|&cell| within(cell, keyed).len() as i64).collect();
@@ -78,7 +78,7 @@ fn find_ends(comm: &Comm, keyed: &[(u64, Source)]) -> Vec<Cell> {
 }
 
 /// Each branch goes to the rank that holds most of it, the lowest of several, so that little has to travel.
-fn find_owners(comm: &Comm, ends: &[Cell], keyed: &[(u64, Source)]) -> Vec<usize> {
+pub(super) fn find_owners<T>(comm: &Comm, ends: &[Cell], keyed: &[(u64, T)]) -> Vec<usize> {
     let size = comm.size() as f64;
     let claim = |&end: &Cell| within(end, keyed).len() as f64 * size + (size - 1.0 - comm.rank() as f64);
     let mut claims: Vec<f64> = ends.iter().map(claim).collect();
@@ -104,10 +104,10 @@ fn deliver(comm: &Comm, root: &Root, ends: &[Cell], owners: &[usize], keyed: Vec
 
 /// Messages under way, one per rank, in the order in which ranks were first addressed.
 #[derive(Default)]
-struct Parcels(Vec<(usize, Vec<u64>)>);
+pub(super) struct Parcels(pub(super) Vec<(usize, Vec<u64>)>);
 
 impl Parcels {
-    fn to(&mut self, rank: usize) -> &mut Vec<u64> {
+    pub(super) fn to(&mut self, rank: usize) -> &mut Vec<u64> {
         let index = self.0.iter().rposition(|(to, _)| *to == rank).unwrap_or_else(|| {
             self.0.push((rank, Vec::new()));
             self.0.len() - 1

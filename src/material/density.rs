@@ -31,7 +31,8 @@ impl MaterialEffect for Continuity {
     fn initialise(&self, local: &Local) {
         let density = local.view(self.density.value);
         for (body, range) in local.runs() {
-            for i in range {
+            // What the scene has set stays.
+            for i in range.filter(|&i| density.get(i) == 0.0) {
                 density.set(i, local.constants[body].density);
             }
         }

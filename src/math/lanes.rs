@@ -53,6 +53,8 @@ pub unsafe trait Lanes: Copy {
     unsafe fn mul(self, o: Self) -> Self;
     unsafe fn div(self, o: Self) -> Self;
     unsafe fn sqrt(self) -> Self;
+    /// 1 / sqrt(self) as single precision gives it, for numbers that it holds.
+    unsafe fn inverse_root_estimate(self) -> Self;
     /// self * b + c with one rounding.
     unsafe fn fma(self, b: Self, c: Self) -> Self;
     /// c - self * b with one rounding.
@@ -64,11 +66,27 @@ pub unsafe trait Lanes: Copy {
     unsafe fn count(mask: Self::Mask) -> u32;
     /// Zero where the mask is false.
     unsafe fn keep(self, mask: Self::Mask) -> Self;
+    /// `self` where the mask is true, `o` elsewhere.
+    unsafe fn or(self, mask: Self::Mask, o: Self) -> Self;
+    /// Eight numbers from `at` on.
+    unsafe fn read(at: *const f64) -> Self;
     /// Numbers 0..4 behind `base + offsets[lane]`, one vector per number.
     unsafe fn read_quad(base: *const f64, offsets: &[usize; LANES]) -> [Self; 4];
     /// ((0+1)+(2+3)) + ((4+5)+(6+7)) of each of eight vectors.
     unsafe fn fold(v: [Self; 8]) -> [f64; 8];
     unsafe fn fold_max(self) -> f64;
+
+    /// 1 / sqrt(self) to the last bit or two, for numbers that single precision holds: from an estimate with error e by a step
+    /// that leaves e^3.
+    #[inline(always)]
+    unsafe fn inverse_root(self) -> Self {
+        // SAFETY: the caller's.
+        unsafe {
+            let y = self.inverse_root_estimate();
+            let e = self.mul(y).fnma(y, Self::splat(1.0));
+            y.mul(e).fma(e.fma(Self::splat(0.375), Self::splat(0.5)), y)
+        }
+    }
 }
 
 /// Plain arrays.
@@ -114,6 +132,10 @@ unsafe impl Lanes for Portable {
         each!(i => self.0[i].sqrt())
     }
     #[inline(always)]
+    unsafe fn inverse_root_estimate(self) -> Self {
+        each!(i => f64::from(1.0 / (self.0[i] as f32).sqrt()))
+    }
+    #[inline(always)]
     unsafe fn fma(self, b: Self, c: Self) -> Self {
         each!(i => self.0[i].mul_add(b.0[i], c.0[i]))
     }
@@ -140,6 +162,15 @@ unsafe impl Lanes for Portable {
     #[inline(always)]
     unsafe fn keep(self, mask: Self::Mask) -> Self {
         each!(i => if mask[i] { self.0[i] } else { 0.0 })
+    }
+    #[inline(always)]
+    unsafe fn or(self, mask: Self::Mask, o: Self) -> Self {
+        each!(i => if mask[i] { self.0[i] } else { o.0[i] })
+    }
+    #[inline(always)]
+    unsafe fn read(at: *const f64) -> Self {
+        // SAFETY: the caller vouches for eight numbers.
+        each!(i => unsafe { *at.add(i) })
     }
     #[inline(always)]
     unsafe fn read_quad(base: *const f64, offsets: &[usize; LANES]) -> [Self; 4] {
@@ -255,6 +286,14 @@ unsafe impl Lanes for Avx2 {
         unsafe { Avx2(_mm256_sqrt_pd(self.0), _mm256_sqrt_pd(self.1)) }
     }
     #[inline(always)]
+    unsafe fn inverse_root_estimate(self) -> Self {
+        unsafe {
+            let (low, high) = (_mm256_cvtpd_ps(self.0), _mm256_cvtpd_ps(self.1));
+            let y = _mm256_div_ps(_mm256_set1_ps(1.0), _mm256_sqrt_ps(_mm256_set_m128(high, low)));
+            Avx2(_mm256_cvtps_pd(_mm256_castps256_ps128(y)), _mm256_cvtps_pd(_mm256_extractf128_ps::<1>(y)))
+        }
+    }
+    #[inline(always)]
     unsafe fn fma(self, b: Self, c: Self) -> Self {
         unsafe { Avx2(_mm256_fmadd_pd(self.0, b.0, c.0), _mm256_fmadd_pd(self.1, b.1, c.1)) }
     }
@@ -281,6 +320,14 @@ unsafe impl Lanes for Avx2 {
     #[inline(always)]
     unsafe fn keep(self, mask: Self::Mask) -> Self {
         unsafe { Avx2(_mm256_and_pd(self.0, mask.0), _mm256_and_pd(self.1, mask.1)) }
+    }
+    #[inline(always)]
+    unsafe fn or(self, mask: Self::Mask, o: Self) -> Self {
+        unsafe { Avx2(_mm256_blendv_pd(o.0, self.0, mask.0), _mm256_blendv_pd(o.1, self.1, mask.1)) }
+    }
+    #[inline(always)]
+    unsafe fn read(at: *const f64) -> Self {
+        unsafe { Avx2(_mm256_loadu_pd(at), _mm256_loadu_pd(at.add(4))) }
     }
     #[inline(always)]
     unsafe fn read_quad(base: *const f64, offsets: &[usize; LANES]) -> [Self; 4] {
@@ -342,6 +389,13 @@ unsafe impl Lanes for Avx512 {
         unsafe { Avx512(_mm512_sqrt_pd(self.0)) }
     }
     #[inline(always)]
+    unsafe fn inverse_root_estimate(self) -> Self {
+        unsafe {
+            let root = _mm256_sqrt_ps(_mm512_cvtpd_ps(self.0));
+            Avx512(_mm512_cvtps_pd(_mm256_div_ps(_mm256_set1_ps(1.0), root)))
+        }
+    }
+    #[inline(always)]
     unsafe fn fma(self, b: Self, c: Self) -> Self {
         unsafe { Avx512(_mm512_fmadd_pd(self.0, b.0, c.0)) }
     }
@@ -368,6 +422,14 @@ unsafe impl Lanes for Avx512 {
     #[inline(always)]
     unsafe fn keep(self, mask: Self::Mask) -> Self {
         unsafe { Avx512(_mm512_maskz_mov_pd(mask, self.0)) }
+    }
+    #[inline(always)]
+    unsafe fn or(self, mask: Self::Mask, o: Self) -> Self {
+        unsafe { Avx512(_mm512_mask_blend_pd(mask, o.0, self.0)) }
+    }
+    #[inline(always)]
+    unsafe fn read(at: *const f64) -> Self {
+        unsafe { Avx512(_mm512_loadu_pd(at)) }
     }
     #[inline(always)]
     unsafe fn read_quad(base: *const f64, offsets: &[usize; LANES]) -> [Self; 4] {
@@ -421,8 +483,8 @@ mod tests {
                 a.mul(a).sqrt(),
                 a.fma(b, c),
                 a.fnma(c, d),
-                a.max(b).min(c),
-                d.keep(mask),
+                a.max(b).min(c).add(a.mul(a).inverse_root()),
+                d.keep(mask).add(c.or(mask, L::read(data.as_ptr()))),
             ];
             let mut bits: Vec<u64> = L::fold(v).iter().map(|x| x.to_bits()).collect();
             bits.push(v[4].fold_max().to_bits());

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::blocks::{Joints, Rubble};
 use super::boundaries::fills;
+use super::hydrostatic::Start;
 use super::lattice::{Faces, IDENTITY, Lattice, LatticeKind, Rotation, random_rotation, rotation_about};
 use super::raw::{Components, RawBody, RawOrientation, RawShape, Spacing};
 use super::shape::Shape;
@@ -46,6 +47,7 @@ pub struct Body {
     pub blast: Option<Blast>,
     pub rubble: Option<Rubble>,
     pub joints: Option<Joints>,
+    pub start: Start,
 }
 
 impl Body {
@@ -186,6 +188,7 @@ impl Reader<'_> {
             blast: self.blast(raw)?,
             rubble,
             joints: self.joints(raw, &shape, material.1)?,
+            start: raw.start,
         };
         let body = Body { motion: self.motion(raw, body.velocity)?, ..body };
         let mass = body.mass();

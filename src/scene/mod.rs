@@ -7,6 +7,8 @@ pub mod body;
 pub mod boundaries;
 pub mod compare;
 mod curves;
+pub mod gravity;
+pub mod hydrostatic;
 pub mod impact;
 pub mod keys;
 pub mod lattice;
@@ -32,6 +34,8 @@ pub use ask::{Asked, Face, Probe};
 pub use body::Body;
 pub use boundaries::Layer;
 pub use compare::Compare;
+pub use gravity::Gravity;
+pub use hydrostatic::Start;
 pub use impact::Impact;
 pub use numerics::{ArtificialStress, Numerics, SmoothingLength};
 use raw::RawScene;
@@ -49,6 +53,7 @@ pub struct Scene {
     pub bodies: Vec<Body>,
     pub layers: Vec<Layer>,
     pub periods: Periods,
+    pub gravity: Gravity,
     pub materials: Vec<MaterialTable>,
     pub material_names: Vec<String>,
     pub impact: Option<Impact>,
@@ -152,7 +157,10 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
     if impact.is_some() && periods.any() {
         return Err(boundaries::no_impact(document));
     }
+    let gravity = raw.gravity.as_ref().map(|gravity| gravity.validate(document, dimension, &periods));
+    let gravity = gravity.transpose()?.unwrap_or_default();
     let bodies = bodies(document, raw, (&materials, &material_names), &periods, impact.as_ref(), numerics.eta)?;
+    check_starts(document, &bodies, (&materials, &gravity))?;
     check_overlaps(document, &bodies)?;
     boundaries::check_periods(document, &periods, &bodies, largest_reach(&bodies, &numerics))?;
     let layers =
@@ -173,6 +181,7 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
         bodies,
         layers,
         periods,
+        gravity,
         materials,
         material_names,
         impact,
@@ -207,12 +216,13 @@ fn check_names(document: &Document, raw: &RawScene) -> Result<()> {
         return Err(document.error("body", what).allowed(format!("1 to {MOST_BODIES} tables [[body]]")));
     }
     // A body is addressed by its name, which therefore must not be another table's.
-    const TABLES: [&str; 16] = [
+    const TABLES: [&str; 17] = [
         "compare",
         "outcome",
         "probe",
         "layer",
         "domain",
+        "gravity",
         "title",
         "dimension",
         "body",
@@ -293,6 +303,28 @@ fn largest_reach(bodies: &[Body], numerics: &Numerics) -> f64 {
         SmoothingLength::FollowsDensity { largest, .. } => largest,
     };
     SUPPORT * (1.0 + numerics.skin) * growth * largest
+}
+
+/// What starts under its own weight is a ball of something solid, in a scene where matter has a weight.
+fn check_starts(
+    document: &Document,
+    bodies: &[Body],
+    (materials, gravity): (&[MaterialTable], &Gravity),
+) -> Result<()> {
+    for (number, body) in bodies.iter().enumerate().filter(|(_, body)| body.start == Start::Hydrostatic) {
+        let material = &materials[body.material];
+        let refused = match () {
+            () if gravity.own.is_none() => Some(("no matter attracts any here", "a key `self` in [gravity]")),
+            () if !matches!(body.shape, Shape::Sphere { .. }) => Some(("the body is no ball", "a sphere")),
+            () if material.reference_density().is_none() => Some(("a gas has no surface", "a solid")),
+            () if material.porosity.is_some() => Some(("pores would crush first", "a material without porosity")),
+            () => None,
+        };
+        if let Some((what, allowed)) = refused {
+            return Err(document.error(&format!("body.{number}.start"), what).allowed(allowed));
+        }
+    }
+    Ok(())
 }
 
 fn check_overlaps(document: &Document, bodies: &[Body]) -> Result<()> {

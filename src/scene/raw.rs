@@ -12,6 +12,8 @@ use super::ask::{RawAsked, RawProbe};
 use super::blocks::{RawJoints, RawRubble};
 use super::boundaries::{RawDomain, RawLayer, RawMotion};
 use super::compare::RawCompare;
+use super::gravity::RawGravity;
+use super::hydrostatic::Start;
 use super::lattice::LatticeKind;
 use super::numerics::RawNumerics;
 use super::settings::{RawOutput, RawRun, RawThreshold};
@@ -33,6 +35,7 @@ pub struct RawScene {
     pub impact: Option<RawImpact>,
     #[serde(default)]
     pub domain: RawDomain,
+    pub gravity: Option<RawGravity>,
     #[serde(default)]
     pub material: BTreeMap<String, MaterialTable>,
     #[serde(default)]
@@ -78,6 +81,8 @@ pub struct RawBody {
     pub blast: Option<RawBlast>,
     pub rubble: Option<RawRubble>,
     pub joints: Option<RawJoints>,
+    #[serde(default)]
+    pub start: Start,
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]

@@ -5,6 +5,8 @@ use super::resources;
 use super::setup::Plan;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
+use crate::gravity::multipole::octree::Node;
+use crate::gravity::multipole::{Body, Field};
 use crate::gravity::{Source, Target};
 use crate::kernel::SUPPORT;
 use crate::math::lanes::LANES;
@@ -17,6 +19,10 @@ use crate::scene::Scene;
 /// damage in vectors that grew by doubling, and sources and targets of a tree, in order and sorted.
 const LOOSE: usize =
     size_of::<outcome::Particle>() + 4 * size_of::<outcome::Piece>() + 2 * (size_of::<Source>() + size_of::<Target>());
+
+/// Bytes of a particle while its gravity is found: itself in messages and in order, its place in the tree, its share of nodes, and
+/// what comes back.
+const ATTRACTED: usize = 8 * size_of::<Body>() + size_of::<Node>() / 4 + 4 * size_of::<Field>();
 
 /// Bytes that libraries take on a rank once files and messages are used, over what they took at the start: about this much
 /// with OpenMPI and HDF5, as runs of few particles show.
@@ -40,7 +46,7 @@ pub struct Footprint {
     /// Entries of a particle's row in the list: rows end anywhere in their last group of lanes.
     pub row: f64,
     /// What, and its bytes on a rank.
-    pub parts: [(&'static str, f64); 7],
+    pub parts: [(&'static str, f64); 8],
     /// Numbers that a ghost record sends.
     pub layout: Layout,
 }
@@ -74,6 +80,7 @@ impl Footprint {
             ("neighbour list", list),
             ("search for neighbours", search),
             ("outcome, beyond these", (outcome - records - list - search).max(0.0)),
+            ("gravity", scene.gravity.own.map_or(0.0, |_| owned * ATTRACTED as f64)),
             ("ghost messages", 2.0 * ghosts * 8.0 * layout.words() as f64),
             ("libraries", LIBRARIES),
         ];

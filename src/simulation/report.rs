@@ -45,6 +45,7 @@ pub fn history_columns(effects: &[Box<dyn MaterialEffect>], prescribed: bool, sc
         .iter()
         .filter(|(name, _)| !planar || !["momentum_z", "angular_momentum_x", "angular_momentum_y"].contains(name));
     let own = |(name, unit): &(&str, &str)| (name.to_string(), unit.to_string());
+    let potential = scene.gravity.any().then_some(("potential_energy", "J"));
     let held = [
         ("boundary_work", "J"),
         ("boundary_impulse_x", "kg m/s"),
@@ -53,7 +54,11 @@ pub fn history_columns(effects: &[Box<dyn MaterialEffect>], prescribed: bool, sc
     ];
     let held = held.iter().filter(|(name, _)| prescribed && !(planar && *name == "boundary_impulse_z"));
     let diagnostics = effects.iter().flat_map(|effect| effect.diagnostics());
-    kept.map(own).chain(held.map(own)).chain(diagnostics.map(|d| (d.name.to_string(), d.unit.to_string()))).collect()
+    kept.map(own)
+        .chain(potential.iter().map(own))
+        .chain(held.map(own))
+        .chain(diagnostics.map(|d| (d.name.to_string(), d.unit.to_string())))
+        .collect()
 }
 
 /// One row of history.csv.
@@ -82,7 +87,7 @@ pub fn history_row(
         (true, true) => vec![totals.work, j.x, j.y],
         (true, false) => vec![totals.work, j.x, j.y, j.z],
     };
-    cells.extend(vectors.iter().chain(&held).chain(&totals.effects).map(|x| Cell::Real(*x)));
+    cells.extend(vectors.iter().chain(&totals.potential).chain(&held).chain(&totals.effects).map(|x| Cell::Real(*x)));
     cells
 }
 
@@ -123,9 +128,9 @@ pub fn draw_cut<const D: usize>(source: &PictureSource<D>, comm: &Comm) -> Resul
     cut::draw(&source.directory.join("outcome.png"), &picture, particles, comm)
 }
 
-/// Whether angular momentum is conserved: not where walls hold something or space closes on itself.
+/// Whether angular momentum is conserved: not where walls hold something, space closes on itself or has a below.
 fn turns_freely<const D: usize>(scene: &Scene, stepper: &Stepper<D>) -> bool {
-    stepper.settings.motions.is_none() && !scene.periods.any()
+    stepper.settings.motions.is_none() && !scene.periods.any() && scene.gravity.uniform.is_none()
 }
 
 /// What a summary is made from.
@@ -323,9 +328,14 @@ pub fn print(summary: &Summary, crater: Option<&Crater>, directory: &Path) {
         summary.updates_per_core_second,
         summary.bytes_per_particle
     );
+    let gravity = match phase(Phase::Gravity) {
+        share if share > 0.0 => format!(" gravity {share:.0} %,"),
+        _ => String::new(),
+    };
     tracing::info!(
-        "pairs {:.0} %, material {:.0} %, lists {:.0} %, migration {:.0} %, pack {:.0} %, exposed wait {:.0} %, output {:.0} %",
+        "pairs {:.0} %,{} material {:.0} %, lists {:.0} %, migration {:.0} %, pack {:.0} %, exposed wait {:.0} %, output {:.0} %",
         phase(Phase::Pairs),
+        gravity,
         phase(Phase::Predict),
         phase(Phase::Lists),
         phase(Phase::Migration),

@@ -318,7 +318,7 @@ impl<'a, const D: usize> Run<'a, D> {
 
     fn note_totals(&mut self) -> Result<()> {
         self.totals = self.stepper.totals();
-        self.state.conservation.note(&self.totals);
+        self.state.conservation.note(&self.totals, self.state.time);
         self.sample_vibration();
         self.write_history();
         let time = self.state.time;

@@ -6,6 +6,7 @@ use std::ops::Range;
 use super::modes;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
+use crate::gravity::{Attraction, G, OwnGravity};
 use crate::kernel::{CubicSpline, Shape};
 use crate::material::{self, BodyConstants, Core, MaterialEffect, Setup};
 use crate::math::{ExactSum, Vec3};
@@ -15,7 +16,8 @@ use crate::pair::record::Viscosity;
 use crate::pair::rows::Constants;
 use crate::pair::{PairLoop, Terms};
 use crate::particles::{Column, Columns, ParticleId, Registry};
-use crate::scene::{Blast, Body, Flow, Scene, SmoothingLength};
+use crate::scene::hydrostatic::Profile;
+use crate::scene::{Blast, Body, Flow, Scene, SmoothingLength, Start};
 use crate::step::diagnostics::sum_over_ranks;
 use crate::step::pack::{BodyTraits, PackSettings, Packer};
 use crate::step::stepper::StepSettings;
@@ -28,6 +30,7 @@ pub struct Plan {
     pub terms: Terms,
     pub constants: Vec<BodyConstants>,
     pub motions: Option<Motions>,
+    pub gravity: Option<Attraction>,
     /// alpha and beta of each body's material.
     viscosity: Vec<(f64, f64)>,
 }
@@ -76,6 +79,13 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Plan {
         masses,
         &mut registry,
     );
+    let gravity = scene.gravity.any().then(|| Attraction {
+        uniform: Vec3::from(scene.gravity.uniform.unwrap_or_default()),
+        own: scene.gravity.own.map(|own| {
+            let densest = constants.iter().map(|body| body.density).fold(0.0, f64::max);
+            OwnGravity::declare(&mut registry, own.accuracy, own.interval * free_fall_time(densest))
+        }),
+    });
     let coefficients = |&m: &usize| scene.materials[m].viscosity_coefficients().map_or((0.0, 0.0), |[a, b]| (a, b));
     let viscosity: Vec<(f64, f64)> = body_material.iter().map(coefficients).collect();
     let tensile = scene.numerics.artificial_stress.is_some();
@@ -89,7 +99,12 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Plan {
         artificial_stress: tensile,
         correction: scene.numerics.corrected_gradient,
     };
-    Plan { registry, core, effects, terms, constants, motions, viscosity }
+    Plan { registry, core, effects, terms, constants, motions, gravity, viscosity }
+}
+
+/// Time in which a ball of this density (kg/m^3) at rest, that nothing holds, falls into its centre, s.
+pub fn free_fall_time(density: f64) -> f64 {
+    (3.0 * std::f64::consts::PI / (32.0 * G * density)).sqrt()
 }
 
 impl Plan {
@@ -103,6 +118,13 @@ impl Plan {
             let mode = match body.flow {
                 Some(Flow::Mode { shape, speed }) => Some((modes::Shape::new(scene, body, shape)?, speed)),
                 _ => None,
+            };
+            let profile = match body.start {
+                Start::Hydrostatic => {
+                    let profile = Profile::new(body, &scene.materials[body.material].eos.law());
+                    Some(profile.map_err(|e| e.at(format!("{}: body {}", scene.path(), body.name)).bad_input())?)
+                }
+                Start::Unloaded => None,
             };
             let sites = share(body.lattice_sites(), comm);
             let count = body.count(sites.clone()) as usize;
@@ -125,6 +147,12 @@ impl Plan {
                 columns.set(core.density.value, i, body.density);
                 if let Some(damage) = damage.filter(|_| scene.materials[body.material].has_fracture()) {
                     columns.set(damage, i, body.damage_at(position));
+                }
+                if let Some(profile) = &profile {
+                    let (centre, unloaded) = (Vec3::from(body.centre), Vec3::from(position));
+                    let (ratio, density) = profile.at((unloaded - centre).norm_squared().sqrt());
+                    columns.set(core.position, i, centre + (unloaded - centre) * ratio);
+                    columns.set(core.density.value, i, density);
                 }
                 if let Some(u) = internal_energy {
                     columns.set(u, i, body.internal_energy);
@@ -171,6 +199,7 @@ impl Plan {
             constants: self.constants,
             packer,
             motions: self.motions,
+            gravity: self.gravity,
             periods: scene.periods,
             pair_loop: PairLoop::new(scene.dimension, self.terms, numerics.kernel, constants),
             cfl: numerics.cfl,

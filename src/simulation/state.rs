@@ -7,14 +7,17 @@ use crate::outcome::crater::Crater;
 use crate::outcome::settled::Settled;
 use crate::step::{Counters, Totals};
 
-/// Largest deviations of conserved quantities so far. What walls and pistons do is counted: energy stands for energy less
-/// their work, momentum for momentum less theirs.
+/// Largest deviations of conserved quantities so far. What walls, pistons and uniform gravity do is counted: energy stands for
+/// energy less their work, momentum for momentum less theirs.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Conservation {
     /// J.
     pub initial_energy: f64,
-    /// Initial kinetic energy in the centre-of-mass frame, or the largest energy where that is zero, J.
+    /// Initial kinetic energy in the centre-of-mass frame, J; where that is zero, `largest_energy` stands for it.
     pub energy_scale: f64,
+    /// Largest sum of kinetic and internal energy, J.
+    #[serde(default)]
+    pub largest_energy: f64,
     pub initial_momentum: [f64; 3],
     pub initial_angular_momentum: [f64; 3],
     /// Largest |E - E0|, J.
@@ -30,27 +33,27 @@ impl Conservation {
         Self {
             initial_energy: first.balance(),
             energy_scale: first.kinetic_in_centre_of_mass(),
-            initial_momentum: first.momentum_balance().into(),
+            initial_momentum: first.momentum_balance(0.0).into(),
             initial_angular_momentum: first.angular_momentum.into(),
             ..Self::default()
         }
     }
 
-    pub fn note(&mut self, now: &Totals) {
+    /// `time`: since the start, s.
+    pub fn note(&mut self, now: &Totals, time: f64) {
         let off = |a: [f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
         let share = |off: f64, scale: f64| if scale > 0.0 { off / scale } else { off };
         self.energy = self.energy.max((now.balance() - self.initial_energy).abs());
-        let momentum = share(off(now.momentum_balance().into(), &self.initial_momentum), now.momentum_scale);
+        let momentum = share(off(now.momentum_balance(time).into(), &self.initial_momentum), now.momentum_scale);
         self.momentum = self.momentum.max(momentum);
         let angular = share(off(now.angular_momentum.into(), &self.initial_angular_momentum), now.angular_scale);
         self.angular_momentum = self.angular_momentum.max(angular);
-        if self.energy_scale == 0.0 {
-            self.energy_scale = now.energy().abs();
-        }
+        self.largest_energy = self.largest_energy.max(now.kinetic + now.internal);
     }
 
     pub fn energy_drift(&self) -> f64 {
-        if self.energy_scale > 0.0 { self.energy / self.energy_scale } else { self.energy }
+        let scale = if self.energy_scale > 0.0 { self.energy_scale } else { self.largest_energy };
+        if scale > 0.0 { self.energy / scale } else { self.energy }
     }
 }
 

@@ -2,6 +2,7 @@
 //! ranks can change a bit.
 
 use crate::domain::comm::Comm;
+use crate::gravity::Attraction;
 use crate::material::{BodyConstants, Core, MaterialEffect};
 use crate::math::{ExactSum, Vec3};
 use crate::motion::Motions;
@@ -16,6 +17,10 @@ pub struct Totals {
     pub kinetic: f64,
     /// J; zero where the equations of state are cold.
     pub internal: f64,
+    /// In the field of gravity, J; none where the scene has no gravity.
+    pub potential: Option<f64>,
+    /// Force of uniform gravity on all matter, N.
+    pub weight: Vec3,
     /// kg m/s
     pub momentum: Vec3,
     /// About the origin, kg m^2/s; in 2D only z.
@@ -34,7 +39,7 @@ pub struct Totals {
 
 impl Totals {
     pub fn energy(&self) -> f64 {
-        self.kinetic + self.internal
+        self.kinetic + self.internal + self.potential.unwrap_or(0.0)
     }
 
     /// What stays constant: energy less the work of whatever prescribes motion, J.
@@ -42,9 +47,9 @@ impl Totals {
         self.energy() - self.work
     }
 
-    /// The same of momentum, kg m/s.
-    pub fn momentum_balance(&self) -> Vec3 {
-        self.momentum - self.impulse
+    /// The same of momentum, kg m/s: less the impulse of walls, and of uniform gravity since the start, `time` s ago.
+    pub fn momentum_balance(&self, time: f64) -> Vec3 {
+        self.momentum - self.impulse - self.weight * time
     }
 
     /// Kinetic energy in the centre-of-mass frame, J.
@@ -60,6 +65,7 @@ pub struct Sources<'a> {
     pub constants: &'a [BodyConstants],
     pub effects: &'a [Box<dyn MaterialEffect>],
     pub motions: Option<&'a Motions>,
+    pub gravity: Option<&'a Attraction>,
     pub internal_energy: Option<Column<f64>>,
 }
 
@@ -69,7 +75,8 @@ const FIXED: usize = 15;
 /// Collective.
 pub fn totals(sources: &Sources, comm: &Comm) -> Totals {
     let counts: Vec<usize> = sources.effects.iter().map(|effect| effect.diagnostics().len()).collect();
-    let mut sums = vec![ExactSum::new(); FIXED + counts.iter().sum::<usize>()];
+    let potential = FIXED + counts.iter().sum::<usize>();
+    let mut sums = vec![ExactSum::new(); potential + sources.gravity.is_some() as usize];
     let columns = sources.columns;
     for i in 0..columns.len() {
         let body = columns.get(sources.core.id, i).body();
@@ -100,6 +107,9 @@ pub fn totals(sources: &Sources, comm: &Comm) -> Totals {
             j.z,
         ];
         fixed.iter().zip(&mut sums).for_each(|(term, sum)| sum.add(*term));
+        if let Some(gravity) = sources.gravity {
+            sums[potential].add(m * gravity.energy(columns, i, &x));
+        }
         let mut first = FIXED;
         for (effect, count) in sources.effects.iter().zip(&counts) {
             if *count > 0 {
@@ -119,7 +129,9 @@ pub fn totals(sources: &Sources, comm: &Comm) -> Totals {
         angular_scale: values[10],
         work: values[11],
         impulse: Vec3::new(values[12], values[13], values[14]),
-        effects: values[FIXED..].to_vec(),
+        potential: values.get(potential).copied(),
+        weight: sources.gravity.map_or(Vec3::zeros(), |gravity| gravity.uniform * values[0]),
+        effects: values[FIXED..potential].to_vec(),
     }
 }
 

@@ -9,6 +9,7 @@ use super::failure::{Bad, all_finite, finite};
 use super::integrator::{self, NewRates};
 use super::pack::{Packer, read_stress};
 use super::time_step::{self, Limit};
+use crate::gravity::Attraction;
 use crate::material::{BodyConstants, Core, Local, MaterialEffect, Motion};
 use crate::math::{Mat3, Sym};
 use crate::motion::Motions;
@@ -83,6 +84,7 @@ pub struct Physics<'a> {
     pub packer: &'a Packer,
     pub pair_loop: &'a PairLoop,
     pub motions: Option<&'a Motions>,
+    pub gravity: Option<&'a Attraction>,
     pub cfl: f64,
 }
 
@@ -121,6 +123,9 @@ impl Physics<'_> {
         self.find_motion(chunk.range.clone(), rows, workspace);
         for block in &workspace.new_rates {
             block.iter().for_each(|word| word.set(0));
+        }
+        if let Some(gravity) = self.gravity {
+            gravity.add(chunk, self.registry.dimension, &mut workspace.acceleration);
         }
         let held = self.motions.and_then(|motions| self.constrain(motions, chunk, workspace));
         let local = self.local(chunk, workspace, dt);

@@ -204,7 +204,7 @@ impl<const D: usize> Neighbourhood<D> {
     /// must not count as load. Collective.
     fn update_cost(&self, phases: &Phases, counters: &Counters, comm: &Comm) -> f64 {
         let seconds = |phase: Phase| phases.seconds[phase as usize];
-        let update = seconds(Phase::Predict) + seconds(Phase::Pack) + seconds(Phase::Watch);
+        let update = seconds(Phase::Predict) + seconds(Phase::Pack) + seconds(Phase::Watch) + seconds(Phase::Gravity);
         let (entries, particles) = self.list_size;
         let mut sums = [1e6 * update, 1e6 * seconds(Phase::Pairs), entries, particles].map(|x| x as i64);
         comm.all_sum(&mut sums);

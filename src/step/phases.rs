@@ -9,6 +9,7 @@ pub enum Phase {
     Lists,
     Migration,
     Pack,
+    Gravity,
     Pairs,
     Wait,
     Reduce,
@@ -18,12 +19,13 @@ pub enum Phase {
 }
 
 /// Names in the order of the enum.
-pub const NAMES: [&str; 11] = [
+pub const NAMES: [&str; 12] = [
     "predict_and_material",
     "displacement_watch",
     "lists",
     "migration_and_ghosts",
     "pack",
+    "gravity",
     "pairs_rates_and_correct",
     "exposed_wait",
     "reduce",

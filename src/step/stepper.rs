@@ -12,6 +12,7 @@ use super::phases::{Phase, Phases};
 use super::time_step::Limit;
 use super::workers::Workers;
 use crate::domain::comm::Comm;
+use crate::gravity::{Attraction, Matter};
 use crate::material::{BodyConstants, Core, MaterialEffect};
 use crate::motion::Motions;
 use crate::pair::{PairLoop, Rows};
@@ -30,6 +31,7 @@ pub struct StepSettings {
     pub pair_loop: PairLoop,
     /// Where a scene prescribes how particles move.
     pub motions: Option<Motions>,
+    pub gravity: Option<Attraction>,
     pub periods: Periods,
     pub cfl: f64,
     /// Skin of the neighbour lists over the support.
@@ -48,6 +50,11 @@ pub struct Counters {
     pub pairs: u64,
     /// Force evaluations of owned particles, of this rank.
     pub updates: u64,
+    /// Seconds of the run since the particles' own gravity was last evaluated.
+    #[serde(default)]
+    pub since_gravity: Option<f64>,
+    #[serde(default)]
+    pub gravity_evaluations: u64,
 }
 
 /// A line of 64 bytes.
@@ -165,6 +172,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
             constants: &self.settings.constants,
             effects: &self.settings.effects,
             motions: self.settings.motions.as_ref(),
+            gravity: self.settings.gravity.as_ref(),
             internal_energy: self.internal_energy,
         };
         let totals = diagnostics::totals(&sources, self.comm);
@@ -227,6 +235,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let stride = layout.stride();
         let records: &[f64] = bytemuck::cast_slice(&self.records);
         self.neighbourhood.send(records, stride, self.comm);
+        self.update_gravity(dt);
         let start = Instant::now();
         let interior = std::mem::take(&mut self.interior);
         for group in interior.chunks(CHUNKS_PER_POLL * self.workers.threads()) {
@@ -254,6 +263,33 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.counters.pairs += pairs;
         self.counters.updates += self.columns.len() as u64;
         self.phases.add(Phase::Pairs, start);
+    }
+
+    /// The particles' own gravity, where it is due: while the records of ghosts are on their way. Collective.
+    fn update_gravity(&mut self, dt: f64) {
+        let Some(own) = self.settings.gravity.and_then(|gravity| gravity.own) else { return };
+        let since = self.counters.since_gravity.map(|since| since + dt);
+        self.counters.since_gravity = since;
+        if !own.is_due(since, dt) {
+            return;
+        }
+        let start = Instant::now();
+        let waited = self.comm.wait_seconds();
+        let StepSettings { core, constants, packer, .. } = &self.settings;
+        let mass_and_softening = |columns: &Columns, i: usize| {
+            let body = columns.get(core.id, i).body();
+            (constants[body].particle_mass, packer.smoothing_length(columns, i, body))
+        };
+        let matter = Matter { id: core.id, position: core.position, mass_and_softening: &mass_and_softening };
+        own.update(&mut self.columns, &matter, since.is_none(), self.comm);
+        self.counters.since_gravity = Some(0.0);
+        self.counters.gravity_evaluations += 1;
+        // Waits for other ranks are no load of this one.
+        let waited = self.comm.wait_seconds() - waited;
+        self.phases.seconds[Phase::Gravity as usize] -= waited;
+        self.phases.seconds[Phase::Wait as usize] += waited;
+        self.phases.add(Phase::Gravity, start);
+        self.neighbourhood.poll();
     }
 
     fn evaluate_chunks(&mut self, items: &[u32], dt: f64) {
@@ -381,6 +417,7 @@ fn physics<'a>(settings: &'a StepSettings, registry: &'a crate::particles::Regis
         packer: &settings.packer,
         pair_loop: &settings.pair_loop,
         motions: settings.motions.as_ref(),
+        gravity: settings.gravity.as_ref(),
         cfl: settings.cfl,
     }
 }

@@ -200,7 +200,7 @@ trait FastLanes: Lanes {
     }
     /// 1 / sqrt(x).
     #[inline(always)]
-    unsafe fn inverse_root(self) -> Self {
+    unsafe fn fast_inverse_root(self) -> Self {
         // SAFETY: the caller's.
         unsafe { self.sqrt().reciprocal() }
     }
@@ -223,7 +223,7 @@ impl FastLanes for Avx512 {
         }
     }
     #[inline(always)]
-    unsafe fn inverse_root(self) -> Self {
+    unsafe fn fast_inverse_root(self) -> Self {
         // SAFETY: the caller's.
         unsafe {
             let half = self.mul(Self::splat(0.5));
@@ -308,7 +308,7 @@ unsafe fn gas_pairs<L: FastLanes>(i: &[L; GAS_WORDS], j: &[L; 16], sums: &mut [L
         let v = [i[3].sub(j[3]), i[4].sub(j[4]), i[5].sub(j[5])];
         let r2 = x[2].fma(x[2], x[1].fma(x[1], x[0].mul(x[0]))).max(L::splat(1e-30));
         let v_dot_x = v[2].fma(x[2], v[1].fma(x[1], v[0].mul(x[0])));
-        let r_inverse = r2.inverse_root();
+        let r_inverse = r2.fast_inverse_root();
         let r = r2.mul(r_inverse);
         let slope_i = CubicSpline::slope_lanes(r.mul(i[H_INVERSE])).mul(i[SLOPE]);
         let slope_j = CubicSpline::slope_lanes(r.mul(j[H_INVERSE])).mul(j[SLOPE]);

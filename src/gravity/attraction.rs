@@ -1,0 +1,120 @@
+//! What a scene's gravity does to its particles:
+//!
+//! ```text
+//! uniform    a = g, the same for all             potential energy  -m g.x
+//! own        a = -grad phi of all particles      potential energy  m phi / 2
+//! ```
+//!
+//! It acts on accelerations before prescribed motion does, so that what holds a particle also bears its weight. Over time uniform
+//! gravity gives all matter the momentum M g t; particles among each other give none.
+//!
+//! Columns, of own gravity only: `gravity`, `gravitational_potential`, kept between evaluations, which may be rarer than steps.
+//! Time step: that of all accelerations.
+
+use super::multipole::{Body, Field, Opening, solve};
+use crate::domain::comm::Comm;
+use crate::math::Vec3;
+use crate::particles::{Chunk, Column, ColumnInfo, Columns, Life, ParticleId, Registry};
+
+/// Cells farther than their size over this see each other as expansions; nearer to 1 these converge too slowly.
+const ANGLE: f64 = 0.9;
+/// The same while accelerations, by which errors are measured, are not known yet.
+const FIRST_ANGLE: f64 = 0.7;
+
+/// The gravity of a scene.
+#[derive(Debug, Clone, Copy)]
+pub struct Attraction {
+    /// m/s^2.
+    pub uniform: Vec3,
+    pub own: Option<OwnGravity>,
+}
+
+/// The gravity of particles on each other.
+#[derive(Debug, Clone, Copy)]
+pub struct OwnGravity {
+    /// m/s^2, as last evaluated.
+    pub acceleration: Column<Vec3>,
+    /// J/kg, at the same time.
+    pub potential: Column<f64>,
+    /// Error of one cell's expansion that a particle may feel, over its acceleration.
+    pub accuracy: f64,
+    /// Seconds from one evaluation to the next; zero for every step.
+    pub interval: f64,
+}
+
+/// Particles as gravity sees them.
+pub struct Matter<'a> {
+    pub id: Column<ParticleId>,
+    pub position: Column<Vec3>,
+    /// Mass of particle `i` of a body, kg, and its smoothing length, m.
+    pub mass_and_softening: &'a dyn Fn(&Columns, usize) -> (f64, f64),
+}
+
+impl Attraction {
+    /// Adds to the accelerations of a chunk, `dimension` numbers for each particle, m/s^2.
+    pub fn add(&self, chunk: &Chunk, dimension: usize, acceleration: &mut [f64]) {
+        for (i, a) in acceleration.chunks_exact_mut(dimension).take(chunk.len()).enumerate() {
+            let own = self.own.map_or(Vec3::zeros(), |own| chunk.view(own.acceleration).get(i));
+            (0..dimension).for_each(|k| a[k] += self.uniform[k] + own[k]);
+        }
+    }
+
+    /// Potential energy of particle `i` over its mass, J/kg, so that the sum over all is that of all.
+    pub fn energy(&self, columns: &Columns, i: usize, x: &Vec3) -> f64 {
+        self.own.map_or(0.0, |own| 0.5 * columns.get(own.potential, i)) - self.uniform.dot(x)
+    }
+}
+
+impl OwnGravity {
+    pub fn declare(registry: &mut Registry, accuracy: f64, interval: f64) -> Self {
+        let state = |name, unit, about, snapshot| ColumnInfo { name, unit, about, life: Life::State, snapshot };
+        registry.owner("gravity");
+        let about = "Acceleration by the gravity of all particles, as last evaluated.";
+        let acceleration = registry.column(state("gravity", "m/s^2", about, false));
+        let about = "Gravitational potential of all other particles, as last evaluated.";
+        let potential = registry.column(state("gravitational_potential", "J/kg", about, true));
+        Self { acceleration, potential, accuracy, interval }
+    }
+
+    /// Whether a step of `dt` seconds must evaluate it anew, `since` seconds after the last time.
+    pub fn is_due(&self, since: Option<f64>, dt: f64) -> bool {
+        since.is_none_or(|since| since + 0.5 * dt >= self.interval)
+    }
+
+    /// Evaluates it at all particles. `first`: it never was before. Collective.
+    pub fn update(&self, columns: &mut Columns, matter: &Matter, first: bool, comm: &Comm) {
+        let order = order(self.accuracy);
+        if first {
+            let opening = Opening { angle: FIRST_ANGLE, accuracy: f64::INFINITY, order };
+            self.evaluate(columns, matter, &opening, comm);
+        }
+        self.evaluate(columns, matter, &Opening { angle: ANGLE, accuracy: self.accuracy, order }, comm);
+    }
+
+    fn evaluate(&self, columns: &mut Columns, matter: &Matter, opening: &Opening, comm: &Comm) {
+        let body = |i: usize| {
+            let (mass, softening) = (matter.mass_and_softening)(columns, i);
+            Body {
+                id: columns.get(matter.id, i).0,
+                position: columns.get(matter.position, i).into(),
+                mass,
+                softening,
+                acceleration: columns.get(self.acceleration, i).norm_squared().sqrt(),
+            }
+        };
+        let bodies: Vec<Body> = (0..columns.len()).map(body).collect();
+        for (i, Field { acceleration, potential }) in solve(comm, &bodies, opening).into_iter().enumerate() {
+            columns.set(self.acceleration, i, Vec3::from(acceleration));
+            columns.set(self.potential, i, potential);
+        }
+    }
+}
+
+/// The order of expansions that is cheapest for an accuracy, as measured.
+fn order(accuracy: f64) -> usize {
+    match accuracy {
+        a if a > 0.015 => 3,
+        a if a > 1e-3 => 4,
+        _ => 5,
+    }
+}
