@@ -11,6 +11,7 @@ mod errors;
 mod exact;
 mod faults;
 mod fracture;
+mod friction;
 mod gravity;
 mod hard_cases;
 mod hard_neighbours;

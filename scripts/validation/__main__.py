@@ -12,13 +12,14 @@ import sys
 import compaction
 import convergence
 import crush
+import granular
 import gravity
 import hugoniots
 import page
 import price
 from runs import perform, show
 
-SECTIONS = {"convergence": convergence, "hugoniots": hugoniots, "compaction": compaction, "crush": crush, "gravity": gravity, "price": price}
+SECTIONS = {"convergence": convergence, "hugoniots": hugoniots, "compaction": compaction, "crush": crush, "gravity": gravity, "granular": granular, "price": price}
 
 
 def main(words):
