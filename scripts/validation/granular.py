@@ -135,6 +135,8 @@ sqrt(H / g) after the start, when experiments have come to rest for long.
 
 The run-out goes as a^{low:.2f} in low columns and as a^{high:.2f} in high ones (experiments: 1 and 2/3).
 
+The foot is where less than two layers of particles are left, and the last of the flank is thin: with finer particles it reaches
+farther out. Heights beyond a = 1.15 are a quarter to a third above the law, whose own height jumps there; the deposits here have none such.
 With a = 1:
 
 {page.table(["changed", "run-out", "height", "slope, deg"], others)}

@@ -180,8 +180,8 @@ impl<'a, const D: usize> Run<'a, D> {
     }
 
     fn first_state(scene: &Scene, stepper: &mut Stepper<'a, D>) -> Result<RunState> {
-        let first = stepper.totals();
         let agreed = stepper.start().map_err(|failure| failure.error(|body| &scene.bodies[body].name))?;
+        let first = stepper.totals();
         let settled = scene.impact.as_ref().filter(|_| scene.run.until == Until::Settled).map(|_| {
             Settled::new(report::first_contact(scene), report::crossing(scene), first.kinetic_in_centre_of_mass())
         });

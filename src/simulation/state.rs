@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::math::Vec3;
 use crate::outcome::Outcome;
 use crate::outcome::crater::Crater;
 use crate::outcome::settled::Settled;
@@ -15,7 +16,7 @@ pub struct Conservation {
     pub initial_energy: f64,
     /// Initial kinetic energy in the centre-of-mass frame, J; where that is zero, `largest_energy` stands for it.
     pub energy_scale: f64,
-    /// Largest sum of kinetic and internal energy, J.
+    /// Largest sum of kinetic and internal energy and the size of that in the particles' own field, J.
     #[serde(default)]
     pub largest_energy: f64,
     pub initial_momentum: [f64; 3],
@@ -48,7 +49,9 @@ impl Conservation {
         self.momentum = self.momentum.max(momentum);
         let angular = share(off(now.angular_momentum.into(), &self.initial_angular_momentum), now.angular_scale);
         self.angular_momentum = self.angular_momentum.max(angular);
-        self.largest_energy = self.largest_energy.max(now.kinetic + now.internal);
+        // In a uniform field the zero of energy is arbitrary.
+        let own = if now.weight == Vec3::zeros() { now.potential.unwrap_or(0.0).abs() } else { 0.0 };
+        self.largest_energy = self.largest_energy.max(now.kinetic + now.internal + own);
     }
 
     pub fn energy_drift(&self) -> f64 {
