@@ -8,6 +8,7 @@ import pathlib
 import shutil
 import subprocess
 import threading
+import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RUNS = ROOT / "runs" / "validate"
@@ -31,8 +32,8 @@ class Run:
         return json.loads((self.folder / "summary.json").read_text())
 
     def stamp(self):
-        """What the run stands for; a folder with another one is stale."""
-        return json.dumps([(ROOT / "inputs" / self.scene).read_text(), self.settings])
+        """What the run stands for, comments apart; a folder with another one is stale."""
+        return json.dumps([tomllib.loads((ROOT / "inputs" / self.scene).read_text()), self.settings])
 
     def stamped(self):
         return RUNS / "stamps" / f"{self.name.replace('/', '_')}.json"
