@@ -139,7 +139,8 @@ def write(found):
 behind the compaction shock, its speed, the precursor's pressure and speed. In the plane unless space is named. Asked for at the
 finest spacing: {allowed}. Fronts start a spacing late and stay so: their speeds converge with order one. Behind a shock that squeezes the
 lattice along one axis by a fifth, sums are off by half a per cent in pressure at any spacing. At alpha_0 = 3 the layer behind the shock is a
-third as thick as what it was.
+third as thick as what it was. At 1000 m/s the shock is 8 per cent slower than the precursor, whose weak front viscosity spreads with the root of time: the
+two have not parted yet. In a column three times as long, with alpha = 1, the precursor's pressure is 3.6 % low.
 
 {page.table(head, rows)}
 
@@ -155,8 +156,8 @@ third as thick as what it was.
 All settings converge with order one, as fronts do; viscosity and kernel decide about the constant. Twice the Courant number costs half and changes
 no error here; the scene does with less for the energy of particles that vibrate behind the shock: 1.9e-3 of it are lost with 0.3.
 
-Figures 1 to 4 of the paper from the
-material functions: `cargo run --release --example draw_jutzi08`.
+Figures 1 to 4 of the paper from the material functions:
+`cargo run --release --example draw_jutzi08`.
 
 ![Figure 1](jutzi08_fig1_density.png) ![Figure 2](jutzi08_fig2_high.png) ![Figure 3](jutzi08_fig3_high.png) ![Figure 4](jutzi08_fig4.png)"""
     return text, failures
