@@ -49,7 +49,7 @@ def effects(directory):
     runs = {path.name[7:]: json.loads((path / "summary.json").read_text()) for path in directory.glob("effect_*")}
     base = runs.pop("none")
     pairs = next(name for name in base["phases"] if name.startswith("pairs"))
-    added = ("artificial_stress", "porosity", "smoothing_length", "gravity", "gravity_every_step")
+    added = ("artificial_stress", "friction", "porosity", "elastic_pores", "smoothing_length", "gravity", "gravity_every_step")
     lines = ["| effect | pair phase with it / without | whole step with it / without | interactions per update with it / without |", "|---|---:|---:|---:|"]
     for name in ("viscosity", "corrected_gradient", "record", "fracture", "strength", *added):
         other, reference = runs[name], runs["fracture"] if name == "strength" else base
@@ -111,7 +111,7 @@ def main(directory, options):
     phases = [f"{name} {100 * share:.1f}" for name, share in run["phases"].items() if share >= 0.0005]
     print(f"\nPhases in per cent: {', '.join(phases)}.\n\n## What each effect costs\n")
     print(effects(directory))
-    print("\nThe impact has viscosity, corrected gradient, records, fracture and strength; the last five rows add what it does not have.\n")
+    print("\nThe impact has viscosity, corrected gradient, records, fracture and strength; the last rows, from artificial stress on, add what it does not have.\n")
     print("Pores change the flow, not only what a particle costs: the goal is 1.3 on the whole step.")
     print("\n## Pair loops beside the ceiling\n")
     print(ceiling_text.strip())
