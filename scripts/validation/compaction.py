@@ -88,9 +88,20 @@ def runs():
     return [plane(name, spacing) for name, wave in WAVES.items() for spacing in wave.spacings] + [space()]
 
 
+MIRRORED = {"plateau_1": "plateau_3", "front_1": "front_2", "front_2": "front_1"}
+"""Plateaus and fronts are numbered upwards; the cylinder's wave runs down."""
+
+
+def mirrored(key):
+    start = "_".join(key.split("_")[:2])
+    return key.replace(start, MIRRORED.get(start, start))
+
+
 def row(label, run, found, failures, judged):
     summary = found[run.name]
     errors, cells = summary["errors"], []
+    if run.name == cylinder().name:
+        errors = {mirrored(key): value for key, value in errors.items()}
     for what, (key, tolerance) in COLUMNS.items():
         error = errors.get(key)
         missed = error is not None and judged and abs(error) > tolerance
