@@ -88,7 +88,7 @@ def runs():
     return [plane(name, spacing) for name, wave in WAVES.items() for spacing in wave.spacings] + [space()]
 
 
-MIRRORED = {"plateau_1": "plateau_3", "front_1": "front_2", "front_2": "front_1"}
+MIRRORED = {"plateau_1": "plateau_3", "plateau_3": "plateau_1", "front_1": "front_2", "front_2": "front_1"}
 """Plateaus and fronts are numbered upwards; the cylinder's wave runs down."""
 
 
