@@ -40,13 +40,16 @@ pub struct Particle {
     pub volume: f64,
     /// Edge of a cube of that volume (of a square in 2D), m.
     pub spacing: f64,
-    /// 0 where the scene has no fracture.
     pub damage: f64,
 }
 
-/// The owned particles as the outcome sees them.
-pub fn particles(columns: &Columns, core: &Core, constants: &[BodyConstants]) -> Vec<Particle> {
-    let damage = columns.registry.find::<f64>("damage");
+/// The owned particles as the outcome sees them; `damage` of particle i of a body.
+pub fn particles(
+    columns: &Columns,
+    core: &Core,
+    constants: &[BodyConstants],
+    damage: impl Fn(usize, usize) -> f64,
+) -> Vec<Particle> {
     let sizes: Vec<(f64, f64)> = constants
         .iter()
         .map(|body| {
@@ -64,7 +67,7 @@ pub fn particles(columns: &Columns, core: &Core, constants: &[BodyConstants]) ->
             mass: constants[id.body()].particle_mass,
             volume,
             spacing,
-            damage: damage.map_or(0.0, |damage| columns.get(damage, i)),
+            damage: damage(i, id.body()),
         }
     };
     (0..columns.len()).map(particle).collect()

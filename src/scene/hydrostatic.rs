@@ -170,4 +170,24 @@ mod tests {
         }
         assert!(profile.at(0.0).1 > 1.1 * 2700.0);
     }
+
+    #[test]
+    fn what_does_not_rest_is_refused() {
+        let said = |changes: &[&str]| {
+            let text = "[[body]]\nname = \"ball\"\nshape = { sphere = { radius = \"10 km\" } }\nmaterial = \"basalt\"\nparticles = 1000\n\
+                        start = \"hydrostatic\"\n[gravity]\nself = true\n[run]\nuntil = 1\n";
+            let changes: Vec<String> = changes.iter().map(|change| change.to_string()).collect();
+            Scene::parse("s.toml", text, &changes).map(|_| ()).map_err(|e| e.to_string())
+        };
+        assert_eq!(said(&[]), Ok(()));
+        for (change, expected) in [
+            ("gravity=false", "no matter attracts any here"),
+            ("ball.shape={ box = { size = [1e4, 1e4, 1e4] } }", "the body is no ball"),
+            ("ball.rubble={ radius = [1e3, 3e3], voids = 0.6 }", "the voids of a pile carry nothing"),
+            ("material.basalt.porosity={ p_alpha = true }", "pores would crush first"),
+        ] {
+            let error = said(&[change]).unwrap_err();
+            assert!(error.contains(expected) && error.contains("start"), "{change}: {error}");
+        }
+    }
 }

@@ -316,6 +316,7 @@ fn check_starts(
         let refused = match () {
             () if gravity.own.is_none() => Some(("no matter attracts any here", "a key `self` in [gravity]")),
             () if !matches!(body.shape, Shape::Sphere { .. }) => Some(("the body is no ball", "a sphere")),
+            () if body.rubble.is_some() => Some(("the voids of a pile carry nothing", "a body without `rubble`")),
             () if material.reference_density().is_none() => Some(("a gas has no surface", "a solid")),
             () if material.porosity.is_some() => Some(("pores would crush first", "a material without porosity")),
             () => None,

@@ -32,7 +32,9 @@ impl<const D: usize> Run<'_, D> {
         self.stepper.rest();
         resources::give_memory_back();
         let core = self.stepper.settings.core;
-        let particles = outcome::particles(&self.stepper.columns, &core, &self.stepper.settings.constants);
+        let (columns, settings) = (&self.stepper.columns, &self.stepper.settings);
+        let damage = |i, body| settings.packer.damage(columns, i, body);
+        let particles = outcome::particles(columns, &core, &settings.constants, damage);
         let target = self.scene.impact.as_ref().map_or(0, |impact| impact.target);
         let question = Question { dimension: D, target_mass: self.scene.bodies[target].mass() };
         let evaluation = outcome::evaluate(self.comm, &particles, &question);

@@ -87,6 +87,13 @@ impl Packer {
         }
     }
 
+    /// Damage of particle `i` of `body`; 0 where nothing breaks.
+    #[inline]
+    pub fn damage(&self, columns: &Columns, i: usize, body: usize) -> f64 {
+        let grown = || self.damage.map_or(0.0, |column| columns.get(column, i));
+        self.bodies[body].fixed_damage.unwrap_or_else(grown)
+    }
+
     /// alpha and beta of a body.
     #[inline]
     pub fn viscosity(&self, body: usize) -> (f64, f64) {
@@ -146,9 +153,7 @@ impl Packer {
     /// The stress that neighbours see: deviator and tension weakened by damage, never written back.
     fn damaged_stress(&self, columns: &Columns, (i, body): (usize, usize), pressure: f64) -> Sym {
         let s = self.deviatoric_stress.map_or(Deviator::default(), |column| columns.get(column, i));
-        let grown = || self.damage.map_or(0.0, |column| columns.get(column, i));
-        let damage = self.bodies[body].fixed_damage.unwrap_or_else(grown);
-        fracture::damaged_stress(&s, pressure, damage, self.bodies[body].friction)
+        fracture::damaged_stress(&s, pressure, self.damage(columns, i, body), self.bodies[body].friction)
     }
 }
 
