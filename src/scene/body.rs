@@ -313,12 +313,8 @@ impl Reader<'_> {
             Some(damage) if !(0.0..=1.0).contains(&damage.0) => {
                 return Err(self.error("damage", format!("damage is {damage}")).allowed("0 to 1"));
             }
-            Some(_) if !(material.has_fracture() || material.has_friction()) => {
-                let what = format!("material `{}` has no fracture, so there is no damage", raw.material);
-                return Err(self.error("damage", what).allowed(format!(
-                    "a table [material.{0}.fracture], or for damage that stays as it is a law with friction, [material.{0}.strength.collins]",
-                    raw.material
-                )));
+            Some(_) if material.eos.law().bulk_modulus().is_none() => {
+                return Err(self.error("damage", format!("material `{}` is a gas, which does not break", raw.material)));
             }
             Some(_) => {}
         }

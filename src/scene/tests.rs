@@ -211,7 +211,7 @@ fn wrong_values_are_refused_in_one_clear_line() {
         ("spacing = 0.2", "spacing = 0.2\ndensity = -2700", "s.toml:6: body ball, density: density is -2700 kg/m^3"),
         ("spacing = 0.2", "spacing = 0.2\nposition = [0, 0]", "2 components in 3 dimensions (allowed: 3 components)"),
         ("spacing = 0.2", "spacing = 0.2\nspin = 3", "a spin has three components"),
-        ("spacing = 0.2", "spacing = 0.2\ndamage = 0.5", "has no fracture, so there is no damage"),
+        ("spacing = 0.2", "spacing = 0.2\ndamage = 1.5", "damage is 1.5 (allowed: 0 to 1)"),
         ("spacing = 0.2", "spacing = 0.2\norientation = {}", "{ seed = 3 } or { axis"),
         ("spacing = 0.2", "spacing = 0.2\npressure = 5", "only an ideal gas starts from a pressure"),
         ("spacing = 0.2", "spacing = 0.2\nlattice = \"hpc\"", "did you mean `hcp`?"),

@@ -139,7 +139,7 @@ impl Packer {
         }
         let pressure = columns.get(self.core.pressure, i);
         if !layout.terms.tensor {
-            record[layout.stress()] = -pressure;
+            record[layout.stress()] = -fracture::damaged_pressure(pressure, self.damage(columns, i, body));
             return;
         }
         let stress = self.damaged_stress(columns, (i, body), pressure);

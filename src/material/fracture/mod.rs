@@ -81,9 +81,13 @@ impl Table for FractureTable {
 /// (Jutzi 2015, see `strength`). The pair sums and their energy use this view.
 #[inline]
 pub fn damaged_stress(s: &Deviator, pressure: f64, damage: f64, friction: bool) -> Sym {
-    let intact = 1.0 - damage;
-    let damaged_pressure = if pressure < 0.0 { intact * pressure } else { pressure };
-    s.with_mean(if friction { 1.0 } else { intact }, -damaged_pressure)
+    s.with_mean(if friction { 1.0 } else { 1.0 - damage }, -damaged_pressure(pressure, damage))
+}
+
+/// P_D alone: broken matter does not pull.
+#[inline]
+pub fn damaged_pressure(pressure: f64, damage: f64) -> f64 {
+    if pressure < 0.0 { (1.0 - damage) * pressure } else { pressure }
 }
 
 /// Declares the column of the damage, or finds it: strength with friction needs it before fracture does.
