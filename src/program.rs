@@ -81,7 +81,9 @@ fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
         return complain(&error, BAD_INPUT, comm);
     }
     let ended = match &task {
-        Task::Scene(scene, _) if scene.threshold.is_some() => search::run(scene, &options, comm),
+        Task::Scene(scene, _) if scene.threshold.is_some() => {
+            search::run(scene, &options, comm).map(|found| found.map_or(Ended::Interrupted, |_| Ended::Finished))
+        }
         Task::Scene(scene, _) => simulation::run(scene, &options, comm).map(|report| report.ended),
         Task::Study(study) => study::run(study, part(args), &options, comm),
     };

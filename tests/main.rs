@@ -4,6 +4,7 @@ mod allocations;
 mod architecture;
 mod balance;
 mod boundaries;
+mod campaigns;
 mod common;
 mod compaction;
 mod craters;

@@ -29,8 +29,8 @@ struct Search<'a> {
     repeats: u32,
 }
 
-/// Searches, or goes on searching. Collective.
-pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<Ended> {
+/// Searches, or goes on searching; none where it was interrupted. Collective.
+pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<Option<Summary>> {
     let search = Search::new(scene)?;
     let impacts = if options.resume { record::read(&options.directory, comm)? } else { Vec::new() };
     let mut progress = Progress { search: &search, options, comm, impacts };
@@ -39,7 +39,7 @@ pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<Ended> {
         match next(&progress.points(Impact::point), &rules) {
             Next::Impact(q) => {
                 if !progress.run_impact(search.length(q), 0)? {
-                    return Ok(Ended::Interrupted);
+                    return Ok(None);
                 }
             }
             Next::Done(end) => break end,
@@ -48,20 +48,19 @@ pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<Ended> {
     // Q*_RD is lower, and may lie just outside the impacts that bracket Q*_D.
     while let Some(q) = progress.next_for_total(&rules) {
         if !progress.run_impact(search.length(q), 0)? {
-            return Ok(Ended::Interrupted);
+            return Ok(None);
         }
     }
     if let Some(found) = threshold(&progress.points(Impact::point)) {
         let done = progress.impacts.iter().map(|impact| impact.repeat).max().unwrap_or(0);
         for repeat in done + 1..=search.repeats {
             if !progress.run_impact(search.length(found.q_star), repeat)? {
-                return Ok(Ended::Interrupted);
+                return Ok(None);
             }
         }
     }
     let end = serde_json::to_string(&end).unwrap_or_default().trim_matches('"').to_string();
-    Found::new(&progress, end).write(&options.directory, comm)?;
-    Ok(Ended::Finished)
+    Found::new(&progress, end).write(&options.directory, comm).map(Some)
 }
 
 /// A search on its way.
@@ -120,7 +119,9 @@ impl<'a> Search<'a> {
             let what = format!("`{}` cannot be varied", threshold.vary);
             return Err(Error::new(what).at("threshold.vary").allowed(key + " of a sphere"));
         }
-        let reference = scaling::nearest_fit(target.density, impact.speed);
+        // Rock with pores is rock.
+        let solid = scene.materials[target.material].reference_density().unwrap_or(target.density);
+        let reference = scaling::nearest_fit(solid, impact.speed);
         let repeats = threshold.repeats;
         Ok(Self { scene, key: &threshold.vary, target, projectile, speed: impact.speed, reference, repeats })
     }
@@ -247,11 +248,12 @@ impl<'a> Found<'a> {
     }
 
     /// summary.json, threshold.csv and two figures, on rank 0; and the result in words. Collective.
-    fn write(&self, directory: &Path, comm: &Comm) -> Result<()> {
-        self.summary(comm).write(&directory.join("summary.json"), comm)?;
+    fn write(&self, directory: &Path, comm: &Comm) -> Result<Summary> {
+        let summary = self.summary(comm);
+        summary.write(&directory.join("summary.json"), comm)?;
         agree(comm, if comm.is_root() { self.write_alone(directory) } else { Ok(()) })?;
         self.print(directory);
-        Ok(())
+        Ok(summary)
     }
 
     fn write_alone(&self, directory: &Path) -> Result<()> {

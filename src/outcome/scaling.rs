@@ -49,6 +49,52 @@ pub const ICE_3_KM_S: ThresholdFit =
 pub const ICE_500_M_S: ThresholdFit =
     ThresholdFit { q0: 7.0e7, b: 2.1, a: -0.45, beta: 1.19, density: 0.917, speed: 500.0 };
 
+/// Jutzi et al. 2010, Icarus 207, 54: basalt at 3 and 5 km/s, without and with pores.
+pub const JUTZI_3_KM_S: ThresholdFit =
+    ThresholdFit { q0: 2.8e7, b: 0.4, a: -0.38, beta: 1.36, density: 2.7, speed: 3000.0 };
+pub const JUTZI_5_KM_S: ThresholdFit =
+    ThresholdFit { q0: 2.9e7, b: 1.5, a: -0.35, beta: 1.29, density: 2.7, speed: 5000.0 };
+pub const JUTZI_POROUS_3_KM_S: ThresholdFit =
+    ThresholdFit { q0: 7.0e7, b: 4.15, a: -0.43, beta: 1.22, density: 1.3, speed: 3000.0 };
+pub const JUTZI_POROUS_5_KM_S: ThresholdFit =
+    ThresholdFit { q0: 1.05e8, b: 5.70, a: -0.45, beta: 1.22, density: 1.3, speed: 5000.0 };
+
+/// Q*_RD = q_s R^(9 mu / (3 - 2 phi)) V^(2 - 3 mu) + q_g R^(3 mu) V^(2 - 3 mu), cgs. Stewart & Leinhardt 2009, ApJ 691, L133.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VelocityFit {
+    pub q_s: f64,
+    pub q_g: f64,
+    pub mu: f64,
+    pub phi: f64,
+}
+
+pub const STRONG_ROCK: VelocityFit = VelocityFit { q_s: 7e4, q_g: 1e-4, mu: 0.5, phi: 8.0 };
+pub const WEAK_AGGREGATES: VelocityFit = VelocityFit { q_s: 500.0, q_g: 1e-4, mu: 0.4, phi: 7.0 };
+
+impl VelocityFit {
+    /// Q*_RD of a radius (m) at a speed (m/s), J/kg.
+    pub fn q_star(&self, radius: f64, speed: f64) -> f64 {
+        let (r, v) = (100.0 * radius, libm::pow(100.0 * speed, 2.0 - 3.0 * self.mu));
+        let strength = self.q_s * libm::pow(r, 9.0 * self.mu / (3.0 - 2.0 * self.phi));
+        1e-4 * v * (strength + self.q_g * libm::pow(r, 3.0 * self.mu))
+    }
+}
+
+/// Leinhardt & Stewart 2012, ApJ 745, 79, eqs 23 and 28: Q*_RD of a total mass whose radius at 1000 kg/m^3 is `radius` (m), where
+/// target and projectile have the mass ratio `gamma`; c* = 5 as for small bodies, mu = 0.37. J/kg.
+pub fn gravity_law(radius: f64, gamma: f64) -> f64 {
+    const C: f64 = 5.0;
+    const MU: f64 = 0.37;
+    let ratio = (gamma + 1.0) * (gamma + 1.0) / (4.0 * gamma);
+    C * 0.8
+        * std::f64::consts::PI
+        * 1000.0
+        * crate::gravity::G
+        * radius
+        * radius
+        * libm::pow(ratio, 2.0 / (3.0 * MU) - 1.0)
+}
+
 /// The fit for a target of this density made for the nearest speed (in ratio): ice up to 1.5 g/cm^3, basalt above.
 pub fn nearest_fit(density: f64, speed: f64) -> ThresholdFit {
     let [slow, fast] = if density < 1500.0 { [ICE_500_M_S, ICE_3_KM_S] } else { [BASALT_3_KM_S, BASALT_5_KM_S] };
@@ -107,5 +153,28 @@ mod tests {
         assert_eq!(nearest_fit(2700.0, 3.5e3), BASALT_3_KM_S);
         assert_eq!(nearest_fit(917.0, 4.9e3), ICE_3_KM_S);
         assert_eq!(nearest_fit(917.0, 1.0e3), ICE_500_M_S);
+    }
+
+    /// Stewart & Leinhardt at 5 km/s, Jutzi et al. 2010, Leinhardt & Stewart at mass ratios 1 and 0.1.
+    #[test]
+    fn other_laws_give_their_tabulated_values() {
+        let radii = [0.1, 1.0, 100.0, 1e3, 1e4, 1e5];
+        let near = |found: f64, value: f64| assert!((found / value - 1.0).abs() < 5e-3, "{found} {value}");
+        let strong = [2231.0, 1005.0, 211.0, 316.0, 7113.0, 2.236e5];
+        let weak = [853.0, 402.0, 112.0, 404.0, 5763.0, 9.10e4];
+        for (law, values) in [(STRONG_ROCK, strong), (WEAK_AGGREGATES, weak)] {
+            radii.iter().zip(values).for_each(|(r, value)| near(law.q_star(*r, 5e3), value));
+        }
+        let jutzi = [
+            (JUTZI_3_KM_S, [1167.0, 487.0, 114.0, 717.0, 1.563e4, 3.576e5]),
+            (JUTZI_5_KM_S, [1295.0, 579.0, 174.0, 1193.0, 2.228e4, 4.340e5]),
+            (JUTZI_POROUS_3_KM_S, [2601.0, 966.0, 174.0, 729.0, 1.129e4, 1.871e5]),
+            (JUTZI_POROUS_5_KM_S, [3726.0, 1322.0, 223.0, 992.0, 1.550e4, 2.569e5]),
+        ];
+        for (law, values) in jutzi {
+            radii.iter().zip(values).for_each(|(r, value)| near(law.q_star(*r), value));
+        }
+        near(gravity_law(1e3, 1.0), 0.839);
+        near(gravity_law(1e5, 0.1) / gravity_law(1e5, 1.0), 2.43);
     }
 }

@@ -1,13 +1,16 @@
 """The page tests/validation/craters.md: impacts into porous ground beside Jutzi, Benz & Michel 2008, Sec. 5.3."""
 
 import csv
+import math
 import pathlib
 import shutil
 import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
 
+import h5py
 import matplotlib
+import numpy
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
@@ -19,7 +22,7 @@ from runs import perform, show
 HEAD = """# Craters in porous ground
 
 Written by `scripts/validate_craters`: `inputs/deep_impact.toml` and `inputs/compaction_models.toml` over resolution, beside Jutzi, Benz &
-Michel 2008 (Icarus 198, 242). Spacings are those near the impact; the paper's particles are 23 cm apart. What the figures mean, and what
+Michel 2008 (Icarus 198, 242). Spacings are those near the impact; those of the paper are 20 cm apart (2.6 kg each). What the figures mean, and what
 they depend on, stands in `scripts/validation/craters/judgement.md`."""
 
 PAPER_VOLUMES = {"P-alpha": 62.3, "rho-alpha": 61.9, "epsilon-alpha": 82.9, "P-alpha, soft": 95.2}
@@ -44,6 +47,30 @@ def price(found):
     return [str(found["particles"]), f"{found['core_seconds']:.0f}", f"{found['energy_drift']:.0e}"]
 
 
+def above(run, speed):
+    """Mass of the ground that moves upwards faster than that, kg, from the cumulative table; linear in logarithms between its rows."""
+    found = [row for row in rows(run, "ejecta.csv") if row["mass_kg"] > 0]
+    speeds, masses = [math.log(row["speed_above_m_s"]) for row in found], [math.log(row["mass_kg"]) for row in found]
+    return math.exp(float(numpy.interp(math.log(speed), speeds, masses)))
+
+
+def crushed(run, speed):
+    """The share of that whose pores have given way, from the last snapshot; None without pores."""
+    last = sorted(run.folder.glob("snapshot_*.vtkhdf"))[-1]
+    with h5py.File(last) as file:
+        data = file["VTKHDF/PointData"]
+        if "distention" not in data:
+            return None
+        up = data["velocity"][:, 2] > speed
+        distention, mass = data["distention"][:][up], data["mass"][:][up]
+    ground = distention > 1.0  # of the projectile it is 1; so it is of ground without any pore left, which counts for nothing here
+    whole = distention > 0.999 * distention.max(initial=1.0)
+    return float(mass[ground & ~whole].sum() / mass[ground].sum())
+
+
+SPEEDS = [2, 5, 100]
+
+
 def deep_impact():
     """Ejected mass of all variants."""
     lines = []
@@ -54,11 +81,15 @@ def deep_impact():
             if not there(run):
                 continue
             found = run.summary()
-            mass = found["outcome"]["ejected_mass"]
-            ratio = f"{solid.summary()['outcome']['ejected_mass'] / mass:.1f}" if there(solid) and mass else ""
-            above = f"{found['outcome']['ejected_mass_above_face']:.3g}"
-            lines.append([f"{spacing} cm", variant, f"{mass:.3g}", above, ratio, *price(found)])
-    header = ["spacing", "ice", "above 2 m/s, kg", "and above the face, kg", "solid / this", "particles", "core-s", "drift of energy"]
+            masses = [above(run, speed) for speed in SPEEDS]
+            ratios = [f"{above(solid, speed) / mass:.1f}" if there(solid) else "" for speed, mass in zip(SPEEDS, masses)]
+            share = crushed(run, 2)
+            lines.append([
+                f"{spacing} cm", variant, *(f"{mass:.3g}" for mass in masses), " / ".join(ratios),
+                "–" if share is None else f"{100 * share:.0f} %", f"{found['outcome']['ejected_mass_above_face']:.3g}", *price(found),
+            ])
+    header = ["spacing", "ice", *(f"above {speed} m/s, kg" for speed in SPEEDS), "solid / this", "crushed, above 2 m/s", "above 2 m/s and the face, kg",
+              "particles", "core-s", "drift of energy"]
     figure("craters_deep_impact.png", [(v, cases.deep_impact(v, s), "mass_kg", s) for v in cases.DEEP_IMPACT_VARIANTS for s in cases.DEEP_IMPACT], "mass [kg]")
     keep_picture(cases.deep_impact, cases.DEEP_IMPACT_VARIANTS, cases.DEEP_IMPACT, "craters_deep_impact")
     return table(header, lines) + "\n\nThe paper: solid / porous about 10, rho-alpha as P-alpha.\n\n![](craters_deep_impact.png)"

@@ -10,6 +10,7 @@ use super::pareto::{Price, Step, beyond, first_within, front, price};
 use super::points::{Study, understood};
 use super::record::Record;
 use super::settings::Change;
+use super::thresholds;
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Analysis {
@@ -24,6 +25,9 @@ pub struct Analysis {
     pub points: Vec<Found>,
     pub settings: Vec<Setting>,
     pub targets: Vec<Target>,
+    /// Where points are searches.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub thresholds: Vec<thresholds::Row>,
 }
 
 /// The scene that was studied.
@@ -169,6 +173,7 @@ impl Analysis {
             points: points.collect(),
             settings: Vec::new(),
             targets: Vec::new(),
+            thresholds: thresholds::rows(study, records),
         };
         found.mark_fronts();
         found.settings = study.names.iter().enumerate().map(|(k, name)| found.setting(k, name)).collect();

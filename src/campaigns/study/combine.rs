@@ -7,16 +7,23 @@ use super::settings::{Axis, Change, Combine, Settings};
 /// A setting: its name and what it changes.
 pub struct Setting {
     pub name: String,
+    /// The name of what is no radius of a body: settings that differ in these alone lie on one curve over the radius.
+    pub family: String,
     pub changes: Vec<Change>,
 }
 
 /// All settings, in the order in which they are run.
 pub fn combined(settings: &Settings) -> Vec<Setting> {
-    let base = || Setting { name: String::new(), changes: Vec::new() };
+    let base = || Setting { name: String::new(), family: String::new(), changes: Vec::new() };
+    let axis_family = |axis: usize, k: usize| {
+        let is_radius = settings.axes[axis].values[k].iter().any(|change| change.key.ends_with(".radius"));
+        if is_radius { String::new() } else { name(&settings.axes, axis, k) }
+    };
     let mut found = match settings.combine {
         Combine::Grid => settings.axes.iter().enumerate().fold(vec![base()], |settings_so_far, (axis, values)| {
             let with = |setting: &Setting, k: usize| Setting {
                 name: join(&setting.name, &name(&settings.axes, axis, k)),
+                family: join(&setting.family, &axis_family(axis, k)),
                 changes: setting.changes.iter().chain(&values.values[k]).cloned().collect(),
             };
             let each = settings_so_far.iter().flat_map(|setting| (0..values.values.len()).map(move |k| (setting, k)));
@@ -27,6 +34,7 @@ pub fn combined(settings: &Settings) -> Vec<Setting> {
             let each = each.flat_map(|(axis, values)| (0..values.values.len()).map(move |k| (axis, k)));
             let alone = each.map(|(axis, k)| Setting {
                 name: name(&settings.axes, axis, k),
+                family: axis_family(axis, k),
                 changes: settings.axes[axis].values[k].clone(),
             });
             std::iter::once(base()).chain(alone).collect()
@@ -37,12 +45,15 @@ pub fn combined(settings: &Settings) -> Vec<Setting> {
 }
 
 fn join(a: &str, b: &str) -> String {
-    if a.is_empty() { b.to_string() } else { format!("{a}, {b}") }
+    if a.is_empty() || b.is_empty() { format!("{a}{b}") } else { format!("{a}, {b}") }
 }
 
-/// A value in few words: `wendland_c2`, `eta 1.4`, `no corrected_gradient`. A key's last part stands for it where no other
-/// axis ends alike.
+/// A value in few words: `wendland_c2`, `eta 1.4`, `no corrected_gradient`; of [study.together.NAME] `labels`, where it has
+/// them. A key's last part stands for it where no other axis ends alike.
 fn name(axes: &[Axis], axis: usize, k: usize) -> String {
+    if let Some(label) = axes[axis].labels.get(k) {
+        return label.clone();
+    }
     let last = |key: &str| key.rsplit('.').next().unwrap_or(key).to_string();
     let keys = |axis: &Axis| axis.values.first().into_iter().flatten().map(|c| last(&c.key)).collect::<Vec<_>>();
     let ambiguous =
@@ -68,6 +79,7 @@ mod tests {
     fn settings(combine: Combine) -> Settings {
         let axis = |key: &str, values: &[Value]| Axis {
             name: String::new(),
+            labels: Vec::new(),
             values: values
                 .iter()
                 .map(|value| vec![Change { key: key.into(), value: value.clone(), path: String::new() }])

@@ -19,6 +19,8 @@ pub enum Against {
     Value { value: f64, uncertainty: f64 },
     /// The same figure of the run of the smallest spacing; among several, of the most pair interactions.
     Finest,
+    /// Nothing: the figure is what the study wants to know.
+    Nothing,
 }
 
 /// Of a finished run, what its error depends on.
@@ -39,6 +41,7 @@ impl Measure {
             let error = match self.against {
                 Against::Exact => figure.abs(),
                 Against::Value { value, .. } => (figure / value - 1.0).abs(),
+                Against::Nothing => return None,
                 Against::Finest if finest == Some(k) => return None,
                 Against::Finest => (figure / runs[finest?]?.figure - 1.0).abs(),
             };
@@ -74,6 +77,7 @@ impl Measure {
             Against::Value { value, uncertainty: 0.0 } => format!("{} against {value}", self.figure),
             Against::Value { value, uncertainty } => format!("{} against {value} ± {uncertainty}", self.figure),
             Against::Finest => format!("{} against the finest run", self.figure),
+            Against::Nothing => self.figure.clone(),
         }
     }
 }

@@ -46,6 +46,8 @@ pub struct Point {
     /// From 1.
     pub number: usize,
     pub setting: usize,
+    /// The setting's name without the radii of bodies: what a curve over the radius is called.
+    pub family: String,
     /// What is varied, as after `--set`; `[study.set]` comes before it.
     pub overrides: Vec<String>,
     /// m
@@ -148,7 +150,7 @@ impl Study {
                 let varied = setting.changes.iter().chain(level).map(Change::text).collect::<Vec<_>>();
                 points.push((reader.scene(&changes)?, varied));
             }
-            study.add(setting.name, points);
+            study.add((setting.name, setting.family), points);
         }
         study.find_spacing(&document)?;
         Ok(study)
@@ -163,7 +165,7 @@ impl Study {
     }
 
     /// Takes a setting up, unless it is an earlier one by another name: a value may be that which the scene has.
-    fn add(&mut self, name: String, points: Vec<(Scene, Vec<String>)>) {
+    fn add(&mut self, (name, family): (String, String), points: Vec<(Scene, Vec<String>)>) {
         let identities: Vec<String> = points.iter().map(|(scene, _)| identity(scene)).collect();
         let same = |number: usize| {
             let earlier = self.points.iter().filter(|point| point.setting == number);
@@ -174,7 +176,8 @@ impl Study {
         }
         for ((scene, overrides), identity) in points.into_iter().zip(identities) {
             let (number, setting) = (self.points.len() + 1, self.names.len());
-            self.points.push(Point { number, setting, overrides, spacing: 0.0, identity, scene });
+            let family = family.clone();
+            self.points.push(Point { number, setting, family, overrides, spacing: 0.0, identity, scene });
         }
         self.names.push(name);
     }
@@ -244,11 +247,11 @@ impl Reader<'_> {
     }
 
     fn check(&self, base: &Scene) -> Result<()> {
-        if base.threshold.is_some() {
+        if self.settings.measure.figure.starts_with("threshold.") && base.threshold.is_none() {
             return Err(self
                 .document
-                .error("study.scene", "the scene asks for a search, and a study makes single runs")
-                .allowed("threshold = false in [study.set]"));
+                .error("study", "nothing says what the error of a run is")
+                .allowed("error = ..., or a [threshold] in the scene: then each point is a search"));
         }
         if self.settings.measure.against == Against::Exact && base.compare.is_none() {
             return Err(self

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::analysis::{Analysis, Cheapest, Cost, Found, Setting};
 use super::pareto::{Known, Price};
+use super::thresholds;
 use crate::error::{Error, Result};
 use crate::output::figures::trade_off::{Curve, TradeOff};
 use crate::output::publish::replace_text;
@@ -14,15 +15,28 @@ pub fn write(analysis: &Analysis, directory: &Path) -> Result<()> {
     let json = serde_json::to_string_pretty(analysis).map_err(|e| Error::new(e.to_string()))?;
     replace_text(&directory.join("study.csv"), &table(analysis))?;
     replace_text(&directory.join("study.md"), &page(analysis))?;
-    for (cost, name) in [(Cost::CoreSeconds, "core_seconds"), (Cost::Pairs, "pairs")] {
-        figure(analysis, cost).draw(&directory.join(format!("error_{name}.png")))?;
+    if has_errors(analysis) {
+        for (cost, name) in [(Cost::CoreSeconds, "core_seconds"), (Cost::Pairs, "pairs")] {
+            figure(analysis, cost).draw(&directory.join(format!("error_{name}.png")))?;
+        }
+    }
+    if analysis.thresholds.iter().any(|row| row.q_star_d.is_some()) {
+        thresholds::figure(&analysis.title, &analysis.thresholds).draw(&directory.join("q_star.png"))?;
     }
     replace_text(&directory.join("study.json"), &(json + "\n"))
 }
 
+fn has_errors(analysis: &Analysis) -> bool {
+    analysis.points.iter().any(|point| point.error.is_some())
+}
+
+fn converges(setting: &Setting) -> bool {
+    setting.order.is_some() || setting.limit.is_some()
+}
+
 /// Rank 0 speaks.
 pub fn print(analysis: &Analysis, directory: &Path) {
-    for setting in &analysis.settings {
+    for setting in analysis.settings.iter().filter(|setting| converges(setting)) {
         tracing::info!("{}: {}", setting.name, convergence(setting));
     }
     for line in prices(analysis) {
@@ -72,6 +86,9 @@ fn page(analysis: &Analysis) -> String {
     let title = if analysis.title.is_empty() { &analysis.study } else { &analysis.title };
     let of = analysis.spacing_of.as_ref().map_or(String::new(), |body| format!(", of `{body}`"));
     let _ = writeln!(text, "# {title}\n\n`{}`: {}.\n", analysis.scene.path, analysis.measure.describe());
+    if !analysis.thresholds.is_empty() {
+        let _ = writeln!(text, "{}\n![Q*_D over the radius](q_star.png)\n", thresholds::table(&analysis.thresholds));
+    }
     let _ = writeln!(
         text,
         "| point | setting | spacing (m{of}) | particles | steps | figure | error | core-s | pair interactions | Pareto |"
@@ -80,13 +97,17 @@ fn page(analysis: &Analysis) -> String {
     for point in &analysis.points {
         let _ = writeln!(text, "{}", row(analysis, point));
     }
-    let _ = writeln!(
-        text,
-        "\nPareto: nothing else is both better and cheaper, by core-seconds (s) or by pair interactions (p).\n\n\
-         ![Error against core-seconds](error_core_seconds.png)\n\n![Error against pair interactions](error_pairs.png)\n\n\
-         | setting | order of convergence | at zero spacing |\n|---|---|---|"
-    );
-    for setting in &analysis.settings {
+    if has_errors(analysis) {
+        let _ = writeln!(
+            text,
+            "\nPareto: nothing else is both better and cheaper, by core-seconds (s) or by pair interactions (p).\n\n\
+             ![Error against core-seconds](error_core_seconds.png)\n\n![Error against pair interactions](error_pairs.png)"
+        );
+    }
+    if analysis.settings.iter().any(converges) {
+        let _ = writeln!(text, "\n| setting | order of convergence | at zero spacing |\n|---|---|---|");
+    }
+    for setting in analysis.settings.iter().filter(|setting| converges(setting)) {
         let _ = writeln!(text, "| {} | {} | {} |", setting.name, order(setting), limit(setting));
     }
     let prices = prices(analysis);

@@ -24,7 +24,7 @@ struct RawFile {
 #[serde(deny_unknown_fields)]
 struct RawStudy {
     scene: String,
-    error: String,
+    error: Option<String>,
     value: Option<Value>,
     uncertainty: Option<Value>,
     against: Option<RawAgainst>,
@@ -80,6 +80,8 @@ impl Change {
 pub struct Axis {
     /// Of a table in `[study.together]`; empty for a single key.
     pub name: String,
+    /// What its values are called; empty where the table does not say.
+    pub labels: Vec<String>,
     pub values: Vec<Vec<Change>>,
 }
 
@@ -112,14 +114,14 @@ impl Settings {
         for change in changes("study.vary", &study.vary) {
             let values = list(document, &change)?;
             let single = values.into_iter().map(|value| vec![Change { value, ..change.clone() }]);
-            axes.push(Axis { name: String::new(), values: single.collect() });
+            axes.push(Axis { values: single.collect(), ..Axis::default() });
         }
         for (name, table) in &study.together {
             let path = format!("study.together.{name}");
             let Value::Table(table) = table else {
                 return Err(document.error(&path, "not a table").allowed(format!("[{path}] with lists of one length")));
             };
-            axes.push(Axis { name: name.clone(), ..together(document, &path, table)? });
+            axes.push(named(document, name, &path, table)?);
         }
         if axes.is_empty() && resolution.values.len() < 2 {
             return Err(document
@@ -164,6 +166,30 @@ fn list(document: &Document, change: &Change) -> Result<Vec<Value>> {
     }
 }
 
+/// A table of `[study.together]`: `labels` of it are no key, they name its values.
+fn named(document: &Document, name: &str, path: &str, table: &Table) -> Result<Axis> {
+    let mut table = table.clone();
+    let labels = table.remove("labels");
+    let axis = together(document, path, &table)?;
+    let text = |value: &Value| value.as_str().filter(|text| !text.is_empty()).map(str::to_string);
+    let labels: Option<Vec<String>> = match &labels {
+        None => Some(Vec::new()),
+        Some(Value::Array(given)) => given.iter().map(text).collect(),
+        Some(_) => None,
+    };
+    match labels {
+        Some(labels) if labels.is_empty() || labels.len() == axis.values.len() => {
+            Ok(Axis { name: name.into(), labels, ..axis })
+        }
+        _ => {
+            let what = "labels do not name the values";
+            Err(document
+                .error(&format!("{path}.labels"), what)
+                .allowed(format!("a list of {} texts", axis.values.len())))
+        }
+    }
+}
+
 /// Keys whose lists have one length and change together.
 fn together(document: &Document, path: &str, table: &Table) -> Result<Axis> {
     let keys = changes(path, table);
@@ -181,11 +207,18 @@ fn together(document: &Document, path: &str, table: &Table) -> Result<Axis> {
             group.push(Change { value, ..change.clone() });
         }
     }
-    Ok(Axis { name: String::new(), values })
+    Ok(Axis { values, ..Axis::default() })
 }
 
+/// What a search finds, which no error is needed for.
+const THRESHOLD: &str = "threshold.q_star_d";
+
 fn measure(document: &Document, study: &RawStudy) -> Result<Measure> {
-    let figure = if study.error.contains('.') { study.error.clone() } else { format!("errors.{}", study.error) };
+    let figure = match study.error.as_deref() {
+        None => THRESHOLD.to_string(),
+        Some(error) if error.contains('.') => error.to_string(),
+        Some(error) => format!("errors.{error}"),
+    };
     let number = |key: &str, value: &Option<Value>| {
         value
             .as_ref()
@@ -203,12 +236,18 @@ fn measure(document: &Document, study: &RawStudy) -> Result<Measure> {
         (Some(value), None) => Against::Value { value, uncertainty: uncertainty.unwrap_or(0.0).abs() },
         (None, Some(RawAgainst::Finest)) => Against::Finest,
         (None, None) if figure.starts_with("errors.") => Against::Exact,
+        (None, None) if figure.starts_with("threshold.") => Against::Nothing,
         (None, None) => {
             return Err(document
                 .error("study.error", format!("`{figure}` has nothing to be compared with"))
                 .allowed("value = ..., or against = \"finest\", or a key of `errors` in summary.json"));
         }
     };
+    if against == Against::Nothing && study.target.is_some() {
+        return Err(document
+            .error("study.target", "nothing says what the error is")
+            .allowed("beside `value` or `against`"));
+    }
     if uncertainty.is_some() && value.is_none() {
         return Err(document.error("study.uncertainty", "the uncertainty of no value").allowed("beside value = ..."));
     }

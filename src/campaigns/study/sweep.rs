@@ -6,6 +6,7 @@ use super::analysis::Analysis;
 use super::points::{Point, Study};
 use super::record::{self, Record};
 use super::report;
+use crate::campaigns::search;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::output::{Summary, agree};
@@ -36,6 +37,10 @@ pub fn run(study: &Study, part: Part, options: &Options, comm: &Comm) -> Result<
                     return Ok(Ended::Interrupted);
                 }
                 sweep.check_figure()?;
+                // Searches take long: their table grows.
+                if point.scene.threshold.is_some() {
+                    sweep.report()?;
+                }
             }
         }
         Part::Collect if sweep.records.iter().all(Option::is_none) => {
@@ -46,11 +51,28 @@ pub fn run(study: &Study, part: Part, options: &Options, comm: &Comm) -> Result<
         Part::Collect => sweep.check_figure()?,
     }
     sweep.log_here()?;
-    let analysis = Analysis::new(study, &sweep.records);
-    let write = || report::write(&analysis, &options.directory);
-    agree(comm, if comm.is_root() { write() } else { Ok(()) })?;
-    report::print(&analysis, &options.directory);
+    report::print(&sweep.report()?, &options.directory);
     Ok(Ended::Finished)
+}
+
+/// Makes the run of a point, or its search; none where it was interrupted. Collective.
+fn make(point: &Point, options: &Options, comm: &Comm) -> Result<Option<Summary>> {
+    if point.scene.threshold.is_some() {
+        return match search::run(&point.scene, options, comm)? {
+            Some(found) => with_threshold(found).map(Some),
+            None => Ok(None),
+        };
+    }
+    let report = simulation::run(&point.scene, options, comm)?;
+    Ok((report.ended != Ended::Interrupted).then_some(report.summary))
+}
+
+/// A search may end without a bracket.
+fn with_threshold(summary: Summary) -> Result<Summary> {
+    match &summary.threshold {
+        Some(found) if found.q_star_d.is_nan() => Err(Error::new(format!("no threshold was found: {}", found.end))),
+        _ => Ok(summary),
+    }
 }
 
 /// A run that `run.steps` or `run.max_time` ends answers another question. They are how a study gets past a setting with
@@ -85,11 +107,11 @@ impl Sweep<'_> {
         tracing::info!("{what}, spacing {:.4e} m", point.spacing);
         let directory = self.options.directory.join(point.folder());
         simulation::directory::prepare(&directory, self.options.resume, comm)?;
-        let run = simulation::run(&point.scene, &Options { directory, ..self.options.clone() }, comm);
-        if matches!(&run, Ok(report) if report.ended == Ended::Interrupted) {
-            return Ok(Ended::Interrupted);
-        }
-        let run = run.and_then(|report| to_its_end(point, report.summary));
+        let run = match make(point, &Options { directory, ..self.options.clone() }, comm) {
+            Ok(None) => return Ok(Ended::Interrupted),
+            Ok(Some(summary)) => to_its_end(point, summary),
+            Err(error) => Err(error),
+        };
         let record = Record::of(point, run.as_ref());
         record::write(&self.options.directory, point, &record, comm)?;
         self.log_here()?;
@@ -101,6 +123,14 @@ impl Sweep<'_> {
         }
         self.records[number - 1] = Some(record);
         Ok(Ended::Finished)
+    }
+
+    /// Writes tables and figures from what there is. Collective.
+    fn report(&self) -> Result<Analysis> {
+        let analysis = Analysis::new(self.study, &self.records);
+        let write = || report::write(&analysis, &self.options.directory);
+        agree(self.comm, if self.comm.is_root() { write() } else { Ok(()) })?;
+        Ok(analysis)
     }
 
     /// A figure that runs do not have is found with the first of them.

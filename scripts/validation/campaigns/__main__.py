@@ -1,0 +1,191 @@
+"""The page tests/validation/campaigns.md: Q*_D over radius beside published laws, and what strength, friction and pores do to it."""
+
+import json
+import math
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+
+import page
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+RUNS = ROOT / "runs" / "campaigns"
+CAMPAIGNS = ["strength", "strength_speed", "strength_resolution", "radius"]
+HEAD = """# Campaigns: Q*_D over radius and strength
+
+Written by `scripts/validate_campaigns`, which runs `inputs/campaigns/`: impacts at 45 degrees from the normal, 2e4 particles unless said
+otherwise, uncertainties as each search states them (bracket, residual, shift between two times). What the figures mean stands in
+`scripts/validation/campaigns/judgement.md`."""
+
+
+def command(campaign, *options):
+    ranks = os.environ.get("RANKS", "1")
+    launch = ["mpirun", "-n", ranks] if ranks != "1" else []
+    return [*launch, os.environ["SPH_MPI_BIN"], str(ROOT / "inputs" / "campaigns" / f"{campaign}.toml"), "--threads", "1", *options]
+
+
+def perform(campaign):
+    folder = RUNS / campaign
+    resume = ["--resume"] if folder.exists() else []
+    subprocess.run(command(campaign, "--quiet", "--out", str(folder), *resume), check=True, cwd=ROOT)
+
+
+def there(campaign):
+    """Rows of its thresholds; none where it has not been run."""
+    found = RUNS / campaign / "study.json"
+    return json.loads(found.read_text()).get("thresholds", []) if found.exists() else []
+
+
+def quotient(a, b):
+    """(value, uncertainty) of a / b."""
+    if not a or not b or not a["q_star_d"] or not b["q_star_d"]:
+        return None
+    value = a["q_star_d"] / b["q_star_d"]
+    relative = [row["uncertainty"] / row["q_star_d"] for row in (a, b)]
+    return value, value * math.hypot(*relative)
+
+
+def words(found):
+    return "–" if found is None else f"{found[0]:.2f} ± {found[1]:.2f}"
+
+
+def one(rows, family, **where):
+    near = [row for row in rows if row["family"] == family and all(abs(row[key] / value - 1) < 0.2 for key, value in where.items())]
+    return near[0] if near else None
+
+
+def energy(row):
+    return "–" if not row or not row["q_star_d"] else f"{row['q_star_d']:.3g} ± {row['uncertainty']:.1g}"
+
+
+def thresholds(rows):
+    head = ["target", "radius", "speed", "particles", "Q*_D, J/kg", "slope s", "energy drift", "core-s"]
+    lines = [
+        [
+            row["family"], f"{row['radius'] / 1000:g} km", f"{row['speed'] / 1000:g} km/s", f"{row['particles']:.0f}", energy(row),
+            f"{row['slope']:.2f}", f"{row['energy_drift']:.0e}", f"{row['core_seconds']:.0f}",
+        ]
+        for row in rows if row["q_star_d"]
+    ]
+    return page.table(head, lines)
+
+
+STATEMENTS = [
+    # What, over what, in the words of the paper.
+    ("(a)", "intact, new strength", "intact, old strength", "no significant difference"),
+    ("(b)", "broken, friction", "broken, no friction", "5 to 10"),
+    ("(c)", "broken, friction, pores", "broken, friction", "2 to 3"),
+    ("(d)", "broken, friction, cohesion", "broken, friction", "1 at large scales, more only at 1 km and below"),
+]
+
+
+def statements(rows):
+    radii = sorted({row["radius"] for row in rows}, reverse=True)
+    head = ["", "Q*_D of", "over that of", "paper", *(f"R = {radius / 1000:g} km" for radius in radii)]
+    lines = []
+    for name, this, that, paper in STATEMENTS:
+        ratios = [words(quotient(one(rows, this, radius=radius), one(rows, that, radius=radius))) for radius in radii]
+        lines.append([name, this, that, paper, *ratios])
+    return page.table(head, lines)
+
+
+FACTORS = [("friction / no friction", "friction", "no friction"), ("pores / friction", "friction, pores", "friction"),
+           ("pores / friction, as light", "friction, pores", "friction, as light")]
+
+
+def factors(rows, key, label):
+    """Factors of friction and pores over something of the scene."""
+    values = sorted({row[key] for row in rows})
+    # Numbers of particles differ a little between targets of a level.
+    levels = [value for k, value in enumerate(values) if k == 0 or value > 1.2 * values[k - 1]]
+    head = [label, *(name for name, *_ in FACTORS)]
+    lines = []
+    for level in levels:
+        pick = lambda family: one(rows, family, **{key: level})
+        lines.append([f"{level:g}", *(words(quotient(pick(this), pick(that))) for _, this, that in FACTORS)])
+    return page.table(head, lines)
+
+
+def by_scene(rows):
+    scenes = sorted({(row["radius"], row["speed"]) for row in rows})
+    head = ["target, speed", *(name for name, *_ in FACTORS)]
+    lines = []
+    for radius, speed in scenes:
+        pick = lambda family: one(rows, family, radius=radius, speed=speed)
+        lines.append([f"{radius / 1000:g} km, {speed / 1000:g} km/s", *(words(quotient(pick(a), pick(b))) for _, a, b in FACTORS)])
+    return page.table(head, lines)
+
+
+def without_scene(rows):
+    """Families of strength_speed have the scene's label at their end."""
+    known = ["friction, pores", "friction, as light", "no friction", "friction"]
+    return [row | {"family": next(name for name in known if row["family"].startswith(name))} for row in rows]
+
+
+def slope(rows):
+    points = [(math.log(row["radius"]), math.log(row["q_star_d"])) for row in rows]
+    return (points[-1][1] - points[0][1]) / (points[-1][0] - points[0][0]) if len(points) > 1 else math.nan
+
+
+SLOPES = {"basalt, 5 km/s": (-0.36, 1.36), "basalt, 3 km/s": (-0.38, 1.36), "ice, 3 km/s": (-0.39, 1.26)}
+"""Of Benz & Asphaug 1999: strength, gravity."""
+ALONE = 150.0, 5000.0
+"""Up to this radius strength alone decides, from that on gravity, m."""
+
+
+def regimes(rows):
+    head = ["target", "weakest radius", "least over Benz & Asphaug", "most", "slope of strength", "theirs", "slope of gravity", "theirs"]
+    lines = []
+    for family, (strength, gravity) in SLOPES.items():
+        mine = sorted((row for row in rows if row["family"] == family and row["q_star_d"]), key=lambda row: row["radius"])
+        if not mine:
+            continue
+        ratios = [row["ratio_to_reference"] for row in mine]
+        weakest = min(mine, key=lambda row: row["q_star_d"])["radius"]
+        small, large = [row for row in mine if row["radius"] <= ALONE[0]], [row for row in mine if row["radius"] >= ALONE[1]]
+        lines.append([family, f"{weakest:g} m", f"{min(ratios):.2f}", f"{max(ratios):.2f}", f"{slope(small):.2f}", f"{strength}", f"{slope(large):.2f}", f"{gravity}"])
+    return page.table(head, lines)
+
+
+def keep(campaign):
+    figure = RUNS / campaign / "q_star.png"
+    if figure.exists():
+        shutil.copy(figure, page.FOLDER / f"campaign_{campaign}.png")
+    return f"![Q*_D over the radius](campaign_{campaign}.png)"
+
+
+def main():
+    if "--list" in sys.argv:
+        for campaign in CAMPAIGNS:
+            done = there(campaign)
+            print(f"{campaign}: {sum(row['core_seconds'] for row in done):.0f} core-s in {len(done)} searches that are there", flush=True)
+            subprocess.run(command(campaign, "--points"), check=True, cwd=ROOT)
+        return
+    if "--page" not in sys.argv:
+        for campaign in CAMPAIGNS:
+            perform(campaign)
+    parts = [HEAD]
+    if strength := there("strength"):
+        parts.append("## What strength, friction, pores and cohesion do (Jutzi 2015)\n\n" + statements(strength))
+        parts.append(thresholds(strength))
+    if rows := without_scene(there("strength_speed")):
+        parts.append("## Friction and pores: speed and size\n\n" + by_scene(rows))
+        parts.append(thresholds(there("strength_speed")))
+    if rows := there("strength_resolution"):
+        parts.append("## Friction and pores: resolution, 10 km, 5 km/s\n\n" + factors(rows, "particles", "particles"))
+        parts.append(thresholds(rows))
+    if rows := there("radius"):
+        parts.append("## Q*_D over the radius\n\n" + regimes(rows) + "\n\n" + keep("radius"))
+        parts.append(thresholds(rows))
+    judgement = pathlib.Path(__file__).with_name("judgement.md")
+    if judgement.exists():
+        parts.append(judgement.read_text().strip())
+    (page.FOLDER / "campaigns.md").write_text("\n\n".join(parts) + "\n")
+    print("written to tests/validation/campaigns.md")
+
+
+main()
