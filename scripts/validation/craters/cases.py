@@ -21,7 +21,7 @@ DEEP_IMPACT_VARIANTS = {
     "P-alpha, P_e = 0.5 MPa": ['material.ice.porosity.p_alpha.quadratic.P_e="0.5 MPa"'],
 }
 # What is run at one spacing only, cm.
-ONCE = {"rho-alpha": 56, "P-alpha, P_e = 0.5 MPa": 40}
+ONCE = {"P-alpha, P_e = 0.5 MPa": 40}
 COMPACTION_VARIANTS = {
     "P-alpha": [],
     "rho-alpha": of("basalt", RHO_ALPHA),
