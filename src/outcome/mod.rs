@@ -9,6 +9,7 @@ pub mod crater;
 pub mod distributions;
 pub mod fragments;
 pub mod profiles;
+pub mod reaccumulated;
 pub mod scaling;
 pub mod settled;
 pub mod tally;

@@ -64,6 +64,9 @@ pub struct Summary {
     pub migrated_particles: u64,
     /// Errors against the exact solution that the scene names.
     pub errors: Figures,
+    /// How the late stage began, where it has.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub late_stage: Option<Figures>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outcome: Option<Figures>,
     #[serde(skip_serializing_if = "Option::is_none")]

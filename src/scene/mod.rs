@@ -11,6 +11,7 @@ pub mod gravity;
 pub mod hydrostatic;
 pub mod impact;
 pub mod keys;
+pub mod late_stage;
 pub mod lattice;
 mod materials;
 pub mod numerics;
@@ -37,6 +38,8 @@ pub use compare::Compare;
 pub use gravity::Gravity;
 pub use hydrostatic::Start;
 pub use impact::Impact;
+pub use late_stage::LateStage;
+use late_stage::Surroundings;
 pub use numerics::{ArtificialStress, Numerics, SmoothingLength};
 use raw::RawScene;
 pub use settings::{Output, Precision, Run, Threshold, Until};
@@ -59,6 +62,7 @@ pub struct Scene {
     pub impact: Option<Impact>,
     pub numerics: Numerics,
     pub run: Run,
+    pub late_stage: Option<LateStage>,
     pub output: Output,
     pub record: Records,
     pub threshold: Option<Threshold>,
@@ -168,6 +172,13 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
     let layers = layers.collect::<Result<Vec<_>>>()?;
     let run = raw.run.validate(document, impact.is_some())?;
     let output = raw.output.validate(document, run.until)?;
+    let late_stage = raw.late_stage.as_ref().map(|stage| {
+        let (impact, names) = (impact.is_some(), &material_names[..]);
+        let around =
+            Surroundings { run: &run, impact, gravity: &gravity, bodies: &bodies, materials: &materials, names };
+        stage.validate(document, &around)
+    });
+    let late_stage = late_stage.transpose()?;
     let outcome = raw.outcome.map(|asked| asked.validate(document, impact.as_ref(), &bodies)).transpose()?;
     let probes = raw.probe.iter().enumerate().map(|(number, probe)| probe.validate(document, number, &bodies));
     let probes = probes.collect::<Result<Vec<_>>>()?;
@@ -187,6 +198,7 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
         impact,
         numerics,
         run,
+        late_stage,
         output,
         record: raw.record,
         threshold,
@@ -216,7 +228,7 @@ fn check_names(document: &Document, raw: &RawScene) -> Result<()> {
         return Err(document.error("body", what).allowed(format!("1 to {MOST_BODIES} tables [[body]]")));
     }
     // A body is addressed by its name, which therefore must not be another table's.
-    const TABLES: [&str; 17] = [
+    const TABLES: [&str; 18] = [
         "compare",
         "outcome",
         "probe",
@@ -227,6 +239,7 @@ fn check_names(document: &Document, raw: &RawScene) -> Result<()> {
         "dimension",
         "body",
         "impact",
+        "late_stage",
         "material",
         "numerics",
         "run",

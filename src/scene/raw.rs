@@ -14,6 +14,7 @@ use super::boundaries::{RawDomain, RawLayer, RawMotion};
 use super::compare::RawCompare;
 use super::gravity::RawGravity;
 use super::hydrostatic::Start;
+use super::late_stage::RawLateStage;
 use super::lattice::LatticeKind;
 use super::numerics::RawNumerics;
 use super::settings::{RawOutput, RawRun, RawThreshold};
@@ -42,6 +43,7 @@ pub struct RawScene {
     pub numerics: RawNumerics,
     #[serde(default)]
     pub run: RawRun,
+    pub late_stage: Option<RawLateStage>,
     #[serde(default)]
     pub output: RawOutput,
     #[serde(default)]

@@ -7,6 +7,7 @@ pub mod faults;
 mod files;
 pub mod footprint;
 mod ground;
+pub mod late;
 pub mod log;
 pub mod modes;
 pub mod probes;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::state::{RunState, Spent};
-use super::{ground, resources};
+use super::{ground, late, resources};
 use crate::domain::comm::Comm;
 use crate::error::Result;
 use crate::material::MaterialEffect;
@@ -198,6 +198,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         rebisections: state.counters.rebisections,
         migrated_particles: spent.migrated,
         errors: report.errors.clone(),
+        late_stage: state.late.as_ref().map(|start| late::figures(start, conservation.energy_scale)),
         outcome: state.has_outcome().then(|| outcome_figures(report)),
         threshold: None,
         accuracy: report.accuracy.cloned(),
