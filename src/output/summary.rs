@@ -69,6 +69,9 @@ pub struct Summary {
     pub late_stage: Option<Figures>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outcome: Option<Figures>,
+    /// What was handed on to an N-body program.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub nbody: Option<Figures>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub threshold: Option<Threshold>,
     #[serde(skip_serializing_if = "Option::is_none")]

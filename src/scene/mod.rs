@@ -14,6 +14,7 @@ pub mod keys;
 pub mod late_stage;
 pub mod lattice;
 mod materials;
+pub mod nbody;
 pub mod numerics;
 mod raw;
 pub mod settings;
@@ -40,6 +41,7 @@ pub use hydrostatic::Start;
 pub use impact::Impact;
 pub use late_stage::LateStage;
 use late_stage::Surroundings;
+pub use nbody::Nbody;
 pub use numerics::{ArtificialStress, Numerics, SmoothingLength};
 use raw::RawScene;
 pub use settings::{Output, Precision, Run, Threshold, Until};
@@ -69,6 +71,7 @@ pub struct Scene {
     pub compare: Option<Compare>,
     pub outcome: Option<Asked>,
     pub probes: Vec<Probe>,
+    pub nbody: Option<Nbody>,
     understood: String,
     source: Source,
 }
@@ -186,7 +189,7 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
         None => None,
         Some(threshold) => Some(threshold.validate(document, &varied(document, impact.as_ref(), &bodies)?)?),
     };
-    let scene = Scene {
+    let mut scene = Scene {
         title: raw.title.clone(),
         dimension,
         bodies,
@@ -205,6 +208,7 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
         compare: raw.compare.as_ref().map(|compare| compare.validate(document)).transpose()?,
         outcome,
         probes,
+        nbody: None,
         understood: String::new(),
         source: Source { path: String::new(), text: String::new(), overrides: Vec::new() },
     };
@@ -214,6 +218,8 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
             .error("threshold", what)
             .allowed("a target that is a whole body: no half_sphere, no layer with `outer`"));
     }
+    let remnants = scene.impact.is_some() && !scene.hits_ground();
+    scene.nbody = raw.nbody.map(|nbody| nbody.validate(document, dimension, remnants)).transpose()?;
     Ok(scene)
 }
 
@@ -228,7 +234,7 @@ fn check_names(document: &Document, raw: &RawScene) -> Result<()> {
         return Err(document.error("body", what).allowed(format!("1 to {MOST_BODIES} tables [[body]]")));
     }
     // A body is addressed by its name, which therefore must not be another table's.
-    const TABLES: [&str; 18] = [
+    const TABLES: [&str; 19] = [
         "compare",
         "outcome",
         "probe",
@@ -241,6 +247,7 @@ fn check_names(document: &Document, raw: &RawScene) -> Result<()> {
         "impact",
         "late_stage",
         "material",
+        "nbody",
         "numerics",
         "run",
         "output",

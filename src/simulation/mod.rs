@@ -10,6 +10,7 @@ mod ground;
 pub mod late;
 pub mod log;
 pub mod modes;
+mod nbody;
 pub mod probes;
 pub mod report;
 pub mod resources;

@@ -143,6 +143,7 @@ pub struct Report<'a, 'c, const D: usize> {
     pub spent: Spent,
     /// Against the exact solution that the scene names.
     pub errors: Figures,
+    pub nbody: Option<Figures>,
     pub resident_at_start: f64,
     pub accuracy: Option<&'a Accuracy>,
     pub comm: &'a Comm,
@@ -200,6 +201,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         errors: report.errors.clone(),
         late_stage: state.late.as_ref().map(|start| late::figures(start, conservation.energy_scale)),
         outcome: state.has_outcome().then(|| outcome_figures(report)),
+        nbody: report.nbody.clone(),
         threshold: None,
         accuracy: report.accuracy.cloned(),
     }

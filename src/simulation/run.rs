@@ -247,7 +247,7 @@ impl<'a, const D: usize> Run<'a, D> {
                 if self.comm.is_root() {
                     tracing::warn!("stopped at step {steps}, t = {:e} s; --resume goes on", self.state.time);
                 }
-                return self.report(Ended::Interrupted, Figures::default());
+                return self.report(Ended::Interrupted, Figures::default(), None);
             }
         }
         drop(progress);
@@ -413,10 +413,11 @@ impl<'a, const D: usize> Run<'a, D> {
         }
         self.write_checkpoint()?;
         let errors = self.errors()?;
-        self.report(Ended::Finished, errors)
+        let nbody = self.write_nbody()?;
+        self.report(Ended::Finished, errors, nbody)
     }
 
-    fn report(self, ended: Ended, errors: Figures) -> Result<RunReport> {
+    fn report(self, ended: Ended, errors: Figures, nbody: Option<Figures>) -> Result<RunReport> {
         let spent = self.spent();
         let summary = report::summarise(&Report {
             scene: self.scene,
@@ -426,6 +427,7 @@ impl<'a, const D: usize> Run<'a, D> {
             later: self.later.as_ref(),
             spent,
             errors,
+            nbody,
             resident_at_start: self.options.resident_at_start,
             accuracy: self.options.accuracy.as_ref(),
             comm: self.comm,
