@@ -18,6 +18,8 @@ mod hard_cases;
 mod hard_neighbours;
 mod hard_pores;
 mod hard_pores_shocks;
+mod late_stage;
+mod nbody;
 mod output;
 mod pair_loop;
 mod pay_for_use;

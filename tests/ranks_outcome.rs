@@ -156,7 +156,7 @@ fn fragments_across_ranks() {
         (0..27).for_each(|k| put([k / 9 - 20, k / 3 % 3 + 2, k % 3 + 20], 0.1));
         (-40..=40).for_each(|x| put([x, 2, 1], 0.9));
         let mine = share(comm, &all, 40.0 * SPACING);
-        let labels = fragments::labels(comm, &mine, 0.9);
+        let labels = fragments::labels(comm, &mine, fragments::Link::Intact(0.9));
         for (p, label) in mine.iter().zip(&labels) {
             let at = all.iter().position(|q| q.id == p.id).unwrap();
             let smallest = |range: std::ops::Range<usize>| all[range].iter().map(|q| q.id).min();

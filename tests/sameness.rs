@@ -337,6 +337,77 @@ picture = false
     }
 }
 
+/// Everything at once: gravity, friction, pores that crush, fracture, h that follows density; and the late stage, whose first step a
+/// restart may fall on.
+#[test]
+fn impact_with_gravity_pores_friction_and_a_late_stage() {
+    const SCENE: &str = r#"
+title = "All at once"
+
+[[body]]
+name = "target"
+shape = { sphere = { radius = "10 km" } }
+material = "basalt"
+particles = 900
+distention = 1.3
+
+[[body]]
+name = "projectile"
+shape = { sphere = { radius = "4 km" } }
+material = "granite"
+
+[impact]
+speed = "1 km/s"
+angle = "45 deg"
+
+[material.basalt.strength]
+collins = true
+[material.basalt.fracture]
+[material.basalt.porosity.p_alpha]
+quadratic = true
+elastic = { c_e = "2 km/s", c_0 = "3145 m/s" }
+
+[material.granite.strength]
+collins = true
+[material.granite.fracture]
+
+[gravity]
+self = { accuracy = 0.02, interval = 0.003 }
+
+[late_stage]
+at = "10 s"
+sound_speed = "100 m/s"
+
+[numerics]
+corrected_gradient = true
+smoothing_length = { follows = "density" }
+
+[run]
+until = "200 s"
+
+[output]
+picture = false
+"#;
+    let reference = compare_scene("late", SCENE);
+    let summary = &reference.1;
+    let at = |pointer: &str| {
+        summary.pointer(pointer).and_then(Value::as_f64).unwrap_or_else(|| panic!("{pointer}: {summary}"))
+    };
+    let (switch, steps) = (at("/late_stage/step") as u64, at("/steps") as u64);
+    println!("{switch} steps, then {} soft ones; {summary}", steps - switch);
+    assert!(at("/outcome/damaged_fraction") > 0.05);
+    assert!(switch > 50 && steps > switch + 50);
+    let way = |ranks, threads| Way { scene: SCENE, ..Way::new(ranks, threads) };
+    for (i, stop) in [switch - 1, switch, switch + 1].into_iter().enumerate() {
+        let name = format!("late_resumed_{i}");
+        let dir = directory(&name);
+        let found = run_legs(&dir, &[(stop, way(2, 1)), (0, way(1, 1))]);
+        assert_same(&name, &dir, &found, &reference);
+        assert_eq!(found["late_stage"], summary["late_stage"], "{name}");
+        assert_eq!(found["energy_drift"], summary["energy_drift"], "{name}");
+    }
+}
+
 /// Gas that expands: smoothing lengths grow several times over.
 #[test]
 fn gas_that_expands() {

@@ -4,6 +4,7 @@
 //! Sign conventions, stated once: stress is positive in tension, pressure positive in compression, sigma = S - P 1;
 //! L[(a, b)] = d v_a / d x_b.
 
+pub mod late;
 pub mod setup;
 #[cfg(test)]
 mod testing;
@@ -12,6 +13,7 @@ pub mod viscosity;
 use crate::error::Result;
 use crate::math::{Mat3, Vec3};
 use crate::particles::{Chunk, Column, Columns, Element, Integrated, ParticleId, Registry, View};
+pub use late::Late;
 pub use record::Records;
 pub use setup::{PerBody, Setup, Table};
 
@@ -224,6 +226,12 @@ pub trait MaterialEffect: Send + Sync {
     fn step_limit(&self, _local: &Local) -> Option<StepLimit> {
         None
     }
+
+    /// Goes over to the soft matter of the late stage (see `late`).
+    fn soften(&mut self, _late: &Late) {}
+
+    /// Brings the state of particles over to it; called once, before the next `update`.
+    fn carry_over(&self, _local: &Local, _late: &Late) {}
 
     /// Sums this effect reports, and particle `i`'s share of each.
     fn diagnostics(&self) -> Vec<Diagnostic> {

@@ -43,6 +43,11 @@ impl<P> PerBody<P> {
         self.0[body].as_ref()
     }
 
+    /// Parameters of every body that has the effect, with its number.
+    pub fn iter_mut(&mut self) -> impl Iterator<Item = (usize, &mut P)> {
+        self.0.iter_mut().enumerate().filter_map(|(body, parameters)| Some((body, parameters.as_mut()?)))
+    }
+
     /// The particles of a chunk that have the effect, in stretches with the same parameters.
     pub fn runs<'a>(&'a self, local: &'a Local) -> impl Iterator<Item = (&'a P, Range<usize>)> {
         local.runs().filter_map(|(body, range)| Some((self.0[body].as_ref()?, range)))

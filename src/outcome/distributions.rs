@@ -107,7 +107,7 @@ fn record(evaluation: &Evaluation, i: usize, dimension: usize) -> [u64; RECORD] 
 fn list(comm: &Comm, evaluation: &Evaluation, dimension: usize) -> String {
     let fragments: Vec<usize> = (0..evaluation.pieces.len()).filter(|&i| evaluation.pieces[i].count > 1).collect();
     let ranking = |i: usize| rank_of(&evaluation.pieces[i]);
-    let least = least_listed(comm, fragments.iter().map(|&i| ranking(i)).collect());
+    let least = least_listed(comm, fragments.iter().map(|&i| ranking(i)).collect(), MAX_LISTED);
     let chosen = fragments.into_iter().filter(|&i| ranking(i) >= least);
     let words: Vec<u64> = chosen.flat_map(|i| record(evaluation, i, dimension)).collect();
     let received = comm.sparse_exchange(if words.is_empty() { Vec::new() } else { vec![(0, words)] });
@@ -133,20 +133,20 @@ fn diameter(volume: f64, dimension: usize) -> f64 {
 }
 
 /// Larger for more massive pieces, and for smaller labels among equals: positive numbers order as their bits do.
-fn rank_of(piece: &Piece) -> u128 {
+pub(super) fn rank_of(piece: &Piece) -> u128 {
     (piece.mass.to_bits() as u128) << 64 | !piece.label as u128
 }
 
-/// The least ranking such that at most [`MAX_LISTED`] of all ranks' pieces reach it, by bisection over its bits.
-fn least_listed(comm: &Comm, mut rankings: Vec<u128>) -> u128 {
+/// The least ranking such that at most `most` of all ranks' pieces reach it, by bisection over its bits.
+pub(super) fn least_listed(comm: &Comm, mut rankings: Vec<u128>, most: u64) -> u128 {
     rankings.sort_unstable();
-    // Invariant: at most MAX_LISTED reach `high`, and if fewer than that can be had at all, more than that reach `low`.
+    // Invariant: at most `most` reach `high`, and if fewer than that can be had at all, more than that reach `low`.
     let (mut low, mut high) = (0u128, u128::MAX);
     while low < high {
         let middle = low + (high - low) / 2;
         let mut count = [(rankings.len() - rankings.partition_point(|r| *r < middle)) as i64];
         comm.all_sum(&mut count);
-        if count[0] as u64 <= MAX_LISTED {
+        if count[0] as u64 <= most {
             high = middle;
         } else {
             low = middle + 1;

@@ -1,6 +1,10 @@
 //! Intact fragments: particles nearer than 1.5 times the larger of their spacings are linked where both are damaged less
 //! than a threshold; a fragment is what is linked, directly or through others. Its label is the smallest id in it.
 //!
+//! Clumps are wider: broken matter is linked, too, where it moves apart, together or past each other so slowly that an even ball which
+//! expands at that rate would be held by its own gravity, |dv| / |dx| <= sqrt(8 pi G rho / 3) with rho the density at the start. So a
+//! pile that has come together is one clump, and spray is none, however dense.
+//!
 //! Each rank links what it owns and a layer of ghosts; labels then travel through the ghosts until none changes.
 
 use std::collections::{BTreeMap, HashMap};
@@ -11,11 +15,21 @@ use bytemuck::{Pod, Zeroable};
 use super::tally::{Scale, Tally};
 use super::{Particle, Piece};
 use crate::domain::comm::Comm;
+use crate::gravity::G;
 
 /// Link length over the larger spacing.
 pub const LINK: f64 = 1.5;
 
-/// An intact particle as linking sees it.
+/// What holds two neighbours together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Link {
+    /// Both are damaged less than this.
+    Intact(f64),
+    /// The same, or moving with each other.
+    Slow(f64),
+}
+
+/// A particle as linking sees it.
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
 struct Point {
@@ -23,12 +37,26 @@ struct Point {
     position: [f64; 3],
     /// m; the link length over [`LINK`].
     spacing: f64,
+    velocity: [f64; 3],
+    /// Largest |dv| / |dx| that it is linked at, 1/s.
+    rate: f64,
 }
 
 /// The fragment of each particle; none for a loose one, which is damaged or has nothing to hold on to. Collective.
-pub fn labels(comm: &Comm, particles: &[Particle], max_damage: f64) -> Vec<Option<u64>> {
-    let intact = |p: &Particle| p.damage < max_damage;
-    let point = |p: &Particle| Point { id: p.id, position: p.position.into(), spacing: p.spacing };
+pub fn labels(comm: &Comm, particles: &[Particle], by: Link) -> Vec<Option<u64>> {
+    let rate = |p: &Particle| match by {
+        Link::Intact(damage) | Link::Slow(damage) if p.damage < damage => Some(f64::INFINITY),
+        Link::Intact(_) => None,
+        Link::Slow(_) => Some((8.0 / 3.0 * std::f64::consts::PI * G * p.mass / p.volume).sqrt()),
+    };
+    let intact = |p: &Particle| rate(p).is_some();
+    let point = |p: &Particle| Point {
+        id: p.id,
+        position: p.position.into(),
+        spacing: p.spacing,
+        velocity: p.velocity.into(),
+        rate: rate(p).unwrap_or(0.0),
+    };
     let mut points: Vec<Point> = particles.iter().filter(|p| intact(p)).map(point).collect();
     let owned = points.len();
     let mut reach = [LINK * points.iter().fold(0.0, |s: f64, p| s.max(p.spacing))];
@@ -113,7 +141,15 @@ fn link(points: &[Point], reach: f64) -> Sets {
 fn are_linked(a: &Point, b: &Point) -> bool {
     let d: [f64; 3] = std::array::from_fn(|k| a.position[k] - b.position[k]);
     let reach = LINK * a.spacing.max(b.spacing);
-    (d[0] * d[0] + d[1] * d[1]) + d[2] * d[2] < reach * reach
+    let d2 = (d[0] * d[0] + d[1] * d[1]) + d[2] * d[2];
+    let rate = a.rate.min(b.rate);
+    d2 < reach * reach && (rate == f64::INFINITY || speed2(a, b) <= rate * rate * d2)
+}
+
+/// |dv|^2, m^2/s^2.
+fn speed2(a: &Point, b: &Point) -> f64 {
+    let v: [f64; 3] = std::array::from_fn(|k| a.velocity[k] - b.velocity[k]);
+    (v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]
 }
 
 /// Who holds copies of whose points.
@@ -138,7 +174,7 @@ impl Ghosts {
             }
         }
         let message = |list: &[u32]| -> Vec<u64> {
-            list.iter().flat_map(|&i| bytemuck::cast::<Point, [u64; 5]>(points[i as usize])).collect()
+            list.iter().flat_map(|&i| bytemuck::cast::<Point, [u64; 9]>(points[i as usize])).collect()
         };
         let messages = sent.iter().map(|(rank, list)| (*rank, message(list))).collect();
         let mut received = Vec::new();
@@ -252,7 +288,7 @@ mod tests {
     use super::*;
 
     fn point(id: u64, position: [f64; 3], spacing: f64) -> Point {
-        Point { id, position, spacing }
+        Point { id, position, spacing, velocity: [0.0; 3], rate: f64::INFINITY }
     }
 
     /// All pairs, as the definition says.
@@ -285,6 +321,18 @@ mod tests {
         different.sort_unstable();
         different.dedup();
         assert!(different.len() > 10 && different.len() < 600, "{}", different.len());
+    }
+
+    /// Intact neighbours hold at any speed, broken ones up to the slower one's rate.
+    #[test]
+    fn broken_neighbours_must_move_together() {
+        let at = |x: f64, v: f64, rate: f64| Point { velocity: [0.0, v, 0.0], rate, ..point(0, [x, 0.0, 0.0], 1.0) };
+        let hard = f64::INFINITY;
+        assert!(are_linked(&at(0.0, 0.0, hard), &at(1.0, 9.0, hard)));
+        assert!(
+            are_linked(&at(0.0, 0.0, hard), &at(1.0, 0.4, 0.5)) && !are_linked(&at(0.0, 0.0, 0.5), &at(1.0, 0.6, hard))
+        );
+        assert!(!are_linked(&at(0.0, 0.0, 0.5), &at(1.6, 0.0, 0.5)));
     }
 
     #[test]

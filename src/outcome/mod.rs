@@ -8,7 +8,10 @@ pub mod bound;
 pub mod crater;
 pub mod distributions;
 pub mod fragments;
+pub mod nbody;
 pub mod profiles;
+pub mod reaccumulated;
+pub mod rebound;
 pub mod scaling;
 pub mod settled;
 pub mod tally;
@@ -198,7 +201,7 @@ struct Remnants {
 
 impl Remnants {
     fn find(comm: &Comm, particles: &[Particle], scale: &Scale, (damage, question): (f64, &Question)) -> Self {
-        let labels = fragments::labels(comm, particles, damage);
+        let labels = fragments::labels(comm, particles, fragments::Link::Intact(damage));
         let pieces = fragments::pieces(comm, scale, particles, &labels);
         let is_fragment = |piece: &&Piece| piece.count > 1;
         let mut count = [pieces.iter().filter(is_fragment).count() as i64];

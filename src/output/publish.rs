@@ -40,7 +40,12 @@ pub fn publish(path: &Path, comm: &Comm) -> Result<()> {
 
 /// Replaces a small file by `text`; for one rank.
 pub fn replace_text(path: &Path, text: &str) -> Result<()> {
-    fs::write(temporary(path), text).map_err(|e| cannot("write", path, e))?;
+    replace(path, text.as_bytes())
+}
+
+/// The same for any bytes.
+pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
+    fs::write(temporary(path), bytes).map_err(|e| cannot("write", path, e))?;
     rename(path)
 }
 

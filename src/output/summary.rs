@@ -64,8 +64,14 @@ pub struct Summary {
     pub migrated_particles: u64,
     /// Errors against the exact solution that the scene names.
     pub errors: Figures,
+    /// How the late stage began, where it has.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub late_stage: Option<Figures>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outcome: Option<Figures>,
+    /// What was handed on to an N-body program.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub nbody: Option<Figures>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub threshold: Option<Threshold>,
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -11,8 +11,10 @@ pub mod gravity;
 pub mod hydrostatic;
 pub mod impact;
 pub mod keys;
+pub mod late_stage;
 pub mod lattice;
 mod materials;
+pub mod nbody;
 pub mod numerics;
 mod raw;
 pub mod settings;
@@ -37,6 +39,9 @@ pub use compare::Compare;
 pub use gravity::Gravity;
 pub use hydrostatic::Start;
 pub use impact::Impact;
+pub use late_stage::LateStage;
+use late_stage::Surroundings;
+pub use nbody::Nbody;
 pub use numerics::{ArtificialStress, Numerics, SmoothingLength};
 use raw::RawScene;
 pub use settings::{Output, Precision, Run, Threshold, Until};
@@ -59,12 +64,14 @@ pub struct Scene {
     pub impact: Option<Impact>,
     pub numerics: Numerics,
     pub run: Run,
+    pub late_stage: Option<LateStage>,
     pub output: Output,
     pub record: Records,
     pub threshold: Option<Threshold>,
     pub compare: Option<Compare>,
     pub outcome: Option<Asked>,
     pub probes: Vec<Probe>,
+    pub nbody: Option<Nbody>,
     understood: String,
     source: Source,
 }
@@ -168,6 +175,13 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
     let layers = layers.collect::<Result<Vec<_>>>()?;
     let run = raw.run.validate(document, impact.is_some())?;
     let output = raw.output.validate(document, run.until)?;
+    let late_stage = raw.late_stage.as_ref().map(|stage| {
+        let (impact, names) = (impact.is_some(), &material_names[..]);
+        let around =
+            Surroundings { run: &run, impact, gravity: &gravity, bodies: &bodies, materials: &materials, names };
+        stage.validate(document, &around)
+    });
+    let late_stage = late_stage.transpose()?;
     let outcome = raw.outcome.map(|asked| asked.validate(document, impact.as_ref(), &bodies)).transpose()?;
     let probes = raw.probe.iter().enumerate().map(|(number, probe)| probe.validate(document, number, &bodies));
     let probes = probes.collect::<Result<Vec<_>>>()?;
@@ -175,7 +189,7 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
         None => None,
         Some(threshold) => Some(threshold.validate(document, &varied(document, impact.as_ref(), &bodies)?)?),
     };
-    let scene = Scene {
+    let mut scene = Scene {
         title: raw.title.clone(),
         dimension,
         bodies,
@@ -187,12 +201,14 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
         impact,
         numerics,
         run,
+        late_stage,
         output,
         record: raw.record,
         threshold,
         compare: raw.compare.as_ref().map(|compare| compare.validate(document)).transpose()?,
         outcome,
         probes,
+        nbody: None,
         understood: String::new(),
         source: Source { path: String::new(), text: String::new(), overrides: Vec::new() },
     };
@@ -202,6 +218,8 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
             .error("threshold", what)
             .allowed("a target that is a whole body: no half_sphere, no layer with `outer`"));
     }
+    let remnants = scene.impact.is_some() && !scene.hits_ground();
+    scene.nbody = raw.nbody.map(|nbody| nbody.validate(document, dimension, remnants)).transpose()?;
     Ok(scene)
 }
 
@@ -216,7 +234,7 @@ fn check_names(document: &Document, raw: &RawScene) -> Result<()> {
         return Err(document.error("body", what).allowed(format!("1 to {MOST_BODIES} tables [[body]]")));
     }
     // A body is addressed by its name, which therefore must not be another table's.
-    const TABLES: [&str; 17] = [
+    const TABLES: [&str; 19] = [
         "compare",
         "outcome",
         "probe",
@@ -227,7 +245,9 @@ fn check_names(document: &Document, raw: &RawScene) -> Result<()> {
         "dimension",
         "body",
         "impact",
+        "late_stage",
         "material",
+        "nbody",
         "numerics",
         "run",
         "output",

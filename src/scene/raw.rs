@@ -14,7 +14,9 @@ use super::boundaries::{RawDomain, RawLayer, RawMotion};
 use super::compare::RawCompare;
 use super::gravity::RawGravity;
 use super::hydrostatic::Start;
+use super::late_stage::RawLateStage;
 use super::lattice::LatticeKind;
+use super::nbody::RawNbody;
 use super::numerics::RawNumerics;
 use super::settings::{RawOutput, RawRun, RawThreshold};
 use super::start::{RawBlast, RawFlow};
@@ -42,6 +44,7 @@ pub struct RawScene {
     pub numerics: RawNumerics,
     #[serde(default)]
     pub run: RawRun,
+    pub late_stage: Option<RawLateStage>,
     #[serde(default)]
     pub output: RawOutput,
     #[serde(default)]
@@ -49,6 +52,7 @@ pub struct RawScene {
     pub threshold: Option<RawThreshold>,
     pub compare: Option<RawCompare>,
     pub outcome: Option<RawAsked>,
+    pub nbody: Option<RawNbody>,
     #[serde(default)]
     pub probe: Vec<RawProbe>,
 }

@@ -8,7 +8,7 @@ use super::resources;
 use super::run::Run;
 use super::state::Spent;
 use crate::error::{Error, Result};
-use crate::outcome::{self, Evaluation, Question};
+use crate::outcome::{self, Evaluation, Particle, Question};
 use crate::output::{Cell, CheckpointMeta, Snapshot, Storage, checkpoint, snapshot};
 use crate::scene::{Precision, Scene};
 use crate::step::phases::Phase;
@@ -27,14 +27,18 @@ impl<const D: usize> Run<'_, D> {
         }
     }
 
+    /// This rank's, as outcomes see them.
+    pub(super) fn particles(&self) -> Vec<Particle> {
+        let (columns, settings) = (&self.stepper.columns, &self.stepper.settings);
+        let damage = |i, body| settings.packer.damage(columns, i, body);
+        outcome::particles(columns, &settings.core, &settings.constants, damage)
+    }
+
     pub(super) fn evaluate_outcome(&mut self) -> Evaluation {
         let start = Instant::now();
         self.stepper.rest();
         resources::give_memory_back();
-        let core = self.stepper.settings.core;
-        let (columns, settings) = (&self.stepper.columns, &self.stepper.settings);
-        let damage = |i, body| settings.packer.damage(columns, i, body);
-        let particles = outcome::particles(columns, &core, &settings.constants, damage);
+        let particles = self.particles();
         let target = self.scene.impact.as_ref().map_or(0, |impact| impact.target);
         let question = Question { dimension: D, target_mass: self.scene.bodies[target].mass() };
         let evaluation = outcome::evaluate(self.comm, &particles, &question);

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::state::{RunState, Spent};
-use super::{ground, resources};
+use super::{ground, late, resources};
 use crate::domain::comm::Comm;
 use crate::error::Result;
 use crate::material::MaterialEffect;
@@ -143,6 +143,7 @@ pub struct Report<'a, 'c, const D: usize> {
     pub spent: Spent,
     /// Against the exact solution that the scene names.
     pub errors: Figures,
+    pub nbody: Option<Figures>,
     pub resident_at_start: f64,
     pub accuracy: Option<&'a Accuracy>,
     pub comm: &'a Comm,
@@ -198,7 +199,9 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         rebisections: state.counters.rebisections,
         migrated_particles: spent.migrated,
         errors: report.errors.clone(),
+        late_stage: state.late.as_ref().map(|start| late::figures(start, conservation.energy_scale)),
         outcome: state.has_outcome().then(|| outcome_figures(report)),
+        nbody: report.nbody.clone(),
         threshold: None,
         accuracy: report.accuracy.cloned(),
     }

@@ -8,6 +8,7 @@ use super::compare::Comparison;
 use super::faults::{Asks, Fault};
 use super::files::scene_hash;
 use super::footprint::Footprint;
+use super::late::{binding, free_fall_time};
 use super::log::Progress;
 use super::probes;
 use super::report::{self, Report};
@@ -128,10 +129,13 @@ impl<'a, const D: usize> Run<'a, D> {
                 tracing::info!("going on from {}", saved.path.display());
                 let mut settings = plan.settings(scene);
                 settings.effects.extend(fault.effect(&settings.core));
-                let mut stepper = Stepper::new(comm, saved.columns, settings);
-                stepper.resume();
                 let mut state: RunState = serde_json::from_str(&saved.meta.json)
                     .map_err(|e| Error::new(format!("its state cannot be read: {e}")))?;
+                if let Some(late) = scene.late().filter(|_| state.late.is_some()) {
+                    settings.effects.iter_mut().for_each(|effect| effect.soften(&late));
+                }
+                let mut stepper = Stepper::new(comm, saved.columns, settings);
+                stepper.resume();
                 (state.counters.pairs, state.counters.updates, state.counters.migrated) = (0, 0, 0);
                 (stepper, Some(state))
             }
@@ -182,8 +186,11 @@ impl<'a, const D: usize> Run<'a, D> {
     fn first_state(scene: &Scene, stepper: &mut Stepper<'a, D>) -> Result<RunState> {
         let agreed = stepper.start().map_err(|failure| failure.error(|body| &scene.bodies[body].name))?;
         let first = stepper.totals();
-        let settled = scene.impact.as_ref().filter(|_| scene.run.until == Until::Settled).map(|_| {
-            Settled::new(report::first_contact(scene), report::crossing(scene), first.kinetic_in_centre_of_mass())
+        let settles = scene.run.until == Until::Settled || scene.late_stage.is_some_and(|l| l.at == Until::Settled);
+        let settled = scene.impact.as_ref().filter(|_| settles).map(|_| {
+            let (contact, crossing) = (report::first_contact(scene), report::crossing(scene));
+            let settled = Settled::new(contact, crossing, first.kinetic_in_centre_of_mass());
+            if scene.gravity.own.is_some() { settled.bound_by(binding(scene), free_fall_time(scene)) } else { settled }
         });
         Ok(RunState {
             time: 0.0,
@@ -192,6 +199,8 @@ impl<'a, const D: usize> Run<'a, D> {
             conservation: Conservation::new(&first),
             snapshots: 0,
             settled,
+            reaccumulated: None,
+            late: None,
             vibration: Vec::new(),
             outcome: None,
             crater: None,
@@ -222,6 +231,11 @@ impl<'a, const D: usize> Run<'a, D> {
                 self.note_totals()?;
                 progress.show(self.done(), || self.describe());
             }
+            if self.is_late_now()
+                && let Err(failure) = self.go_soft()
+            {
+                return Err(self.go_back(&failure));
+            }
             self.write_snapshot_if_due()?;
             if agreed.signal == FAILED {
                 agree(self.comm, self.failed.take().map_or(Ok(()), Err))?;
@@ -233,7 +247,7 @@ impl<'a, const D: usize> Run<'a, D> {
                 if self.comm.is_root() {
                     tracing::warn!("stopped at step {steps}, t = {:e} s; --resume goes on", self.state.time);
                 }
-                return self.report(Ended::Interrupted, Figures::default());
+                return self.report(Ended::Interrupted, Figures::default(), None);
             }
         }
         drop(progress);
@@ -243,10 +257,8 @@ impl<'a, const D: usize> Run<'a, D> {
 
     /// Seconds of the next step; the last one ends on the dot.
     fn next_step(&self) -> f64 {
-        match self.end_time() {
-            Some(end) => self.state.dt.min(end - self.state.time),
-            None => self.state.dt,
-        }
+        let until = |dt: f64, end: Option<f64>| end.map_or(dt, |end| dt.min(end - self.state.time));
+        until(until(self.state.dt, self.late_time()), self.end_time())
     }
 
     /// When the run is known to end, s.
@@ -254,6 +266,13 @@ impl<'a, const D: usize> Run<'a, D> {
         let limit = self.scene.run.max_time.unwrap_or(f64::INFINITY);
         let end = match self.scene.run.until {
             Until::Time(end) => end.min(limit),
+            Until::Settled if self.scene.reaccumulates() => {
+                if self.state.has_outcome() {
+                    self.state.outcome_time.min(limit)
+                } else {
+                    limit
+                }
+            }
             // Settled: the outcome is evaluated once more at twice that time.
             Until::Settled if self.state.has_outcome() => (2.0 * self.state.outcome_time).min(limit),
             Until::Settled => limit,
@@ -322,9 +341,18 @@ impl<'a, const D: usize> Run<'a, D> {
         self.sample_vibration();
         self.write_history();
         let time = self.state.time;
-        let settled = self.state.settled.as_mut().is_some_and(|settled| settled.update(time, self.totals.internal));
-        if settled && !self.state.has_outcome() {
+        let Some(settled) = self.state.settled.as_mut() else { return Ok(()) };
+        let before = settled.since().is_some();
+        if !settled.update(time, self.totals.internal) {
+            return Ok(());
+        }
+        if !before {
             tracing::info!("settled at t = {time:.4e} s, step {}", self.state.counters.steps);
+        }
+        if self.scene.reaccumulates() {
+            return self.watch_remnant();
+        }
+        if self.scene.run.until == Until::Settled && !self.state.has_outcome() {
             self.take_outcome()?;
         }
         Ok(())
@@ -347,6 +375,7 @@ impl<'a, const D: usize> Run<'a, D> {
     fn done(&self) -> f64 {
         let end = match (&self.state.settled, self.end_time()) {
             (_, Some(end)) => end,
+            (Some(settled), None) if self.scene.reaccumulates() => settled.earliest() + free_fall_time(self.scene),
             (Some(settled), None) => 2.0 * settled.earliest(),
             (None, None) => f64::INFINITY,
         };
@@ -374,6 +403,7 @@ impl<'a, const D: usize> Run<'a, D> {
         }
         match (self.scene.impact.is_some(), self.state.has_outcome()) {
             (true, false) => self.take_outcome()?,
+            (true, true) if self.scene.reaccumulates() => {}
             (true, true) if !self.scene.hits_ground() => self.later = Some(self.evaluate_outcome().outcome),
             (true, true) => {}
             (false, _) => self.draw_cut()?,
@@ -383,10 +413,11 @@ impl<'a, const D: usize> Run<'a, D> {
         }
         self.write_checkpoint()?;
         let errors = self.errors()?;
-        self.report(Ended::Finished, errors)
+        let nbody = self.write_nbody()?;
+        self.report(Ended::Finished, errors, nbody)
     }
 
-    fn report(self, ended: Ended, errors: Figures) -> Result<RunReport> {
+    fn report(self, ended: Ended, errors: Figures, nbody: Option<Figures>) -> Result<RunReport> {
         let spent = self.spent();
         let summary = report::summarise(&Report {
             scene: self.scene,
@@ -396,6 +427,7 @@ impl<'a, const D: usize> Run<'a, D> {
             later: self.later.as_ref(),
             spent,
             errors,
+            nbody,
             resident_at_start: self.options.resident_at_start,
             accuracy: self.options.accuracy.as_ref(),
             comm: self.comm,

@@ -5,7 +5,9 @@ use serde::{Deserialize, Serialize};
 use crate::math::Vec3;
 use crate::outcome::Outcome;
 use crate::outcome::crater::Crater;
+use crate::outcome::reaccumulated::Reaccumulated;
 use crate::outcome::settled::Settled;
+use crate::step::late::Switch;
 use crate::step::{Counters, Totals};
 
 /// Largest deviations of conserved quantities so far. What walls, pistons and uniform gravity do is counted: energy stands for
@@ -40,6 +42,11 @@ impl Conservation {
         }
     }
 
+    /// Takes a change of energy out of the account, J.
+    pub fn shift_energy(&mut self, jump: f64) {
+        self.initial_energy += jump;
+    }
+
     /// `time`: since the start, s.
     pub fn note(&mut self, now: &Totals, time: f64) {
         let off = |a: [f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
@@ -72,6 +79,12 @@ pub struct RunState {
     /// Snapshots written.
     pub snapshots: u32,
     pub settled: Option<Settled>,
+    /// The largest remnant, once the shock has left, where gravity decides about the end.
+    #[serde(default)]
+    pub reaccumulated: Option<Reaccumulated>,
+    /// Since the late stage has begun.
+    #[serde(default)]
+    pub late: Option<LateStart>,
     /// (time, s; amplitude, m/s) of a vibration that is compared with its exact period.
     #[serde(default)]
     pub vibration: Vec<[f64; 2]>,
@@ -84,6 +97,17 @@ pub struct RunState {
     pub outcome_time: f64,
     /// Wall time, processor time and MPI waits of all ranks before the last restart, s.
     pub spent: Spent,
+}
+
+/// How the late stage began.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct LateStart {
+    /// s.
+    pub time: f64,
+    pub step: u64,
+    pub switch: Switch,
+    /// Steps that are allowed before and after, s.
+    pub dt: [f64; 2],
 }
 
 impl RunState {

@@ -10,7 +10,7 @@ use super::integrator::{self, NewRates};
 use super::pack::{Packer, read_stress};
 use super::time_step::{self, Limit};
 use crate::gravity::Attraction;
-use crate::material::{BodyConstants, Core, Local, MaterialEffect, Motion};
+use crate::material::{BodyConstants, Core, Late, Local, MaterialEffect, Motion};
 use crate::math::{Mat3, Sym};
 use crate::motion::Motions;
 use crate::pair::{Layout, PairLoop, RowSums, Rows, correction};
@@ -104,6 +104,16 @@ impl Physics<'_> {
         self.fill_bodies(chunk, workspace);
         let local = self.local(chunk, workspace, 0.0);
         self.each_effect(workspace, |effect| effect.initialise(&local));
+        self.each_effect(workspace, |effect| effect.admit(&local));
+        self.each_effect(workspace, |effect| effect.update(&local));
+        self.note_bad_columns(chunk, workspace);
+    }
+
+    /// Brings particles over to the soft matter of the late stage.
+    pub fn carry_over(&self, chunk: &Chunk, late: &Late, workspace: &mut Workspace) {
+        self.fill_bodies(chunk, workspace);
+        let local = self.local(chunk, workspace, 0.0);
+        self.each_effect(workspace, |effect| effect.carry_over(&local, late));
         self.each_effect(workspace, |effect| effect.admit(&local));
         self.each_effect(workspace, |effect| effect.update(&local));
         self.note_bad_columns(chunk, workspace);

@@ -4,6 +4,7 @@ pub mod diagnostics;
 pub mod evaluate;
 pub mod failure;
 pub mod integrator;
+pub mod late;
 pub mod neighbourhood;
 pub mod pack;
 pub mod phases;

@@ -94,6 +94,11 @@ impl Packer {
         self.bodies[body].fixed_damage.unwrap_or_else(grown)
     }
 
+    /// Whether damage acts on shear of a body through its yield strength alone.
+    pub fn has_friction(&self, body: usize) -> bool {
+        self.bodies[body].friction
+    }
+
     /// alpha and beta of a body.
     #[inline]
     pub fn viscosity(&self, body: usize) -> (f64, f64) {

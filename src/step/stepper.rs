@@ -81,7 +81,7 @@ pub struct Stepper<'c, const D: usize> {
     pub counters: Counters,
     /// Tightest limit of this rank's particles at the last evaluation.
     pub limit: Limit,
-    internal_energy: Option<Column<f64>>,
+    pub(super) internal_energy: Option<Column<f64>>,
     records: Vec<Line>,
     /// Chunks without and with ghosts in their rows.
     interior: Vec<u32>,
@@ -90,7 +90,7 @@ pub struct Stepper<'c, const D: usize> {
     pointers: Vec<(*mut u64, usize)>,
     bad: Option<Bad>,
     /// Whether lists and records were given back.
-    resting: bool,
+    pub(super) resting: bool,
 }
 
 impl<'c, const D: usize> Stepper<'c, D> {
@@ -214,7 +214,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         std::mem::size_of::<Line>() * self.records.capacity()
     }
 
-    fn material_pass(&mut self, work: impl Fn(&Physics, &crate::particles::Chunk, &mut Workspace) + Sync) {
+    pub(super) fn material_pass(&mut self, work: impl Fn(&Physics, &crate::particles::Chunk, &mut Workspace) + Sync) {
         let (registry, count) = (Arc::clone(&self.columns.registry), self.columns.len());
         let physics = physics(&self.settings, &registry);
         let chunks = Chunks::new(&mut self.columns, std::mem::take(&mut self.pointers));
@@ -227,7 +227,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
     }
 
     /// Pack, exchange, pair loop, rates, correction by `dt`.
-    fn evaluate(&mut self, dt: f64) {
+    pub(super) fn evaluate(&mut self, dt: f64) {
         let start = Instant::now();
         self.pack();
         self.phases.add(Phase::Pack, start);
@@ -330,7 +330,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
 
     /// One answer of all ranks after prediction: the largest share of the skin that is used up. Nothing that is no number goes
     /// on to a neighbour. Collective.
-    fn agree_on_particles(&mut self, used: f64) -> Result<f64, Failure> {
+    pub(super) fn agree_on_particles(&mut self, used: f64) -> Result<f64, Failure> {
         let mut bad = None;
         self.workers.collect(|workspace| bad = Bad::first(bad.take(), workspace.take_bad()));
         let mut values = [if bad.is_none() { used } else { 0.0 }, bad.is_some() as u32 as f64];
@@ -344,7 +344,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
     }
 
     /// One answer of all ranks after an evaluation: the next step, a particle gone bad, a wish to stop.
-    fn agree(&mut self, signal: u32) -> Result<Agreed, Failure> {
+    pub(super) fn agree(&mut self, signal: u32) -> Result<Agreed, Failure> {
         let bad = self.bad.is_some() as u32 as f64;
         let mut values = [self.limit.dt, -bad, -(signal as f64)];
         let start = Instant::now();
@@ -366,7 +366,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
     }
 
     /// New lists; `fresh` from the present positions, otherwise from those of the last build.
-    fn rebuild(&mut self, fresh: bool) {
+    pub(super) fn rebuild(&mut self, fresh: bool) {
         self.resting = false;
         let start = Instant::now();
         if fresh {

@@ -13,7 +13,7 @@ pub mod tillotson;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Core, Local, MaterialEffect, MaterialTable, PerBody, Setup, Table};
+use super::{Core, Late, Local, MaterialEffect, MaterialTable, PerBody, Setup, Table};
 use crate::error::Result;
 use crate::particles::{Column, ColumnInfo, Integrated, Life, Registry};
 use ideal_gas::{IdealGas, IdealGasTable};
@@ -184,6 +184,11 @@ impl MaterialEffect for EquationOfState {
 
     fn name(&self) -> &'static str {
         "eos"
+    }
+
+    fn soften(&mut self, late: &Late) {
+        let laws = self.laws.iter_mut().flat_map(PerBody::iter_mut);
+        laws.for_each(|(body, law)| *law = late.0[body].law());
     }
 
     fn rates(&self, local: &Local) {

@@ -34,9 +34,14 @@ use crate::material::eos::{Eos, Slopes, bounded_sound};
 /// How distention follows compression.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Compaction {
-    Pressure { curve: CrushCurve, elastic: Option<Elastic> },
+    Pressure {
+        curve: CrushCurve,
+        elastic: Option<Elastic>,
+    },
     ColdPressure(CrushCurve),
     Strain(StrainLaw),
+    /// Of the late stage: as it is, for good.
+    Kept,
 }
 
 /// Whether the pressure of a crush curve knows of heat.
@@ -85,6 +90,7 @@ impl Porous {
             Compaction::Pressure { curve, elastic: None } => self.crushed(rho, u, (curve, Heat::Counts), unloaded),
             Compaction::Pressure { curve, elastic: Some(elastic) } => self.elastic(rho, u, (curve, elastic), unloaded),
             Compaction::ColdPressure(curve) => self.crushed(rho, u, (curve, Heat::Ignored), unloaded),
+            Compaction::Kept => self.with(rho, u, (unloaded, unloaded), |_| 1.0),
             Compaction::Strain(law) => {
                 let (alpha, by_strain) = law.at(rho);
                 if alpha < unloaded {

@@ -27,7 +27,7 @@ pub mod testing;
 use serde::{Deserialize, Serialize};
 
 use super::setup::Table;
-use super::{Core, Diagnostic, Local, MaterialEffect, MaterialTable, PerBody, Setup, StepLimit, eos};
+use super::{Core, Diagnostic, Late, Local, MaterialEffect, MaterialTable, PerBody, Setup, StepLimit, eos};
 use crate::error::{Error, Result};
 use crate::particles::{Column, ColumnInfo, Columns, Life, Registry};
 use crate::units::Number;
@@ -262,6 +262,20 @@ impl MaterialEffect for Porosity {
                 }
             }
         }
+    }
+
+    fn soften(&mut self, late: &Late) {
+        for (body, porous) in self.bodies.iter_mut() {
+            let softening = &late.0[body];
+            porous.compaction = Compaction::Kept;
+            (porous.eos, porous.sound2_at_rest) = (softening.law(), softening.sound2());
+        }
+    }
+
+    fn carry_over(&self, local: &Local, _late: &Late) {
+        let Some(unloaded) = self.unloaded.map(|column| local.view(column)) else { return };
+        let distention = local.view(self.distention);
+        (0..local.len()).for_each(|i| unloaded.set(i, distention.get(i)));
     }
 
     fn update(&self, local: &Local) {

@@ -30,7 +30,7 @@ use serde::{Deserialize, Serialize};
 
 use super::porosity::{PoreColumns, distention_rate};
 use super::setup::{Table, all_positive};
-use super::{Core, Local, MaterialEffect, MaterialTable, PerBody, Setup, eos, fracture};
+use super::{Core, Late, Local, MaterialEffect, MaterialTable, PerBody, Setup, eos, fracture};
 use crate::error::Result;
 use crate::math::{Deviator, Sym};
 use crate::particles::{Column, ColumnInfo, Integrated, Life, Registry};
@@ -140,6 +140,17 @@ impl MaterialEffect for Strength {
 
     fn name(&self) -> &'static str {
         "strength"
+    }
+
+    fn soften(&mut self, late: &Late) {
+        self.solids.iter_mut().for_each(|(body, solid)| solid.shear_modulus = late.0[body].after().shear);
+    }
+
+    fn carry_over(&self, local: &Local, late: &Late) {
+        let stress = local.view(self.stress.value);
+        for (body, range) in local.runs().filter(|(body, _)| self.solids.of(*body).is_some()) {
+            range.for_each(|i| stress.set(i, stress.get(i).scaled(late.0[body].ratio())));
+        }
     }
 
     fn rates(&self, local: &Local) {

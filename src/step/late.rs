@@ -1,0 +1,99 @@
+//! The switch to the late stage (see `material::late`), between two steps: effects go over to soft matter, particles are brought
+//! over, and rates are made anew with it, so that the next step predicts with nothing of before. All of it follows from the
+//! particles alone, and sums are exact: the same bits on any ranks.
+
+use serde::{Deserialize, Serialize};
+
+use super::Stepper;
+use super::diagnostics::sum_over_ranks;
+use super::failure::Failure;
+use super::stepper::Agreed;
+use crate::material::fracture::damaged_pressure;
+use crate::material::late::{Load, Stiffness};
+use crate::material::{Late, porosity, strength};
+use crate::math::{Deviator, ExactSum};
+use crate::particles::Column;
+
+/// Pressure and elastic energy of all particles.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Loads {
+    /// J.
+    pub elastic_energy: f64,
+    /// Mean over mass of the pressure that acts, Pa.
+    pub mean_pressure: f64,
+    /// Largest size of it, Pa.
+    pub largest_pressure: f64,
+}
+
+/// What the switch did.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Switch {
+    pub before: Loads,
+    pub after: Loads,
+    /// By which internal energy changed, J: the difference of the elastic energies.
+    pub energy_jump: f64,
+}
+
+impl<const D: usize> Stepper<'_, D> {
+    /// Goes over to soft matter. Returns what that did, and the first step after it. Collective.
+    pub fn soften(&mut self, late: &Late) -> Result<(Switch, Agreed), Failure> {
+        if self.resting {
+            self.rebuild(false);
+        }
+        let stiff: Vec<Stiffness> = late.0.iter().map(|body| body.before()).collect();
+        let soft: Vec<Stiffness> = late.0.iter().map(|body| body.after()).collect();
+        let elastic = self.elastic_energies(&stiff);
+        let before = self.loads(&elastic);
+        self.settings.effects.iter_mut().for_each(|effect| effect.soften(late));
+        self.material_pass(|physics, chunk, workspace| physics.carry_over(chunk, late, workspace));
+        self.agree_on_particles(0.0)?;
+        let left = self.elastic_energies(&soft);
+        let after = self.loads(&left);
+        if let Some(u) = self.internal_energy {
+            for (i, (before, after)) in elastic.iter().zip(&left).enumerate() {
+                self.columns.set(u, i, self.columns.get(u, i) + (after - before));
+            }
+        }
+        self.evaluate(0.0);
+        let agreed = self.agree(0)?;
+        let energy_jump = after.elastic_energy - before.elastic_energy;
+        Ok((Switch { before, after, energy_jump }, agreed))
+    }
+
+    /// Of each particle, J/kg.
+    fn elastic_energies(&self, bodies: &[Stiffness]) -> Vec<f64> {
+        let (columns, core, packer) = (&self.columns, &self.settings.core, &self.settings.packer);
+        let distention: Option<Column<f64>> = columns.registry.find(porosity::DISTENTION);
+        let stress: Option<Column<Deviator>> = columns.registry.find(strength::DEVIATORIC_STRESS);
+        let energy = |i: usize| {
+            let body = columns.get(core.id, i).body();
+            bodies[body].elastic_energy(&Load {
+                density: columns.get(core.density.value, i),
+                distention: distention.map_or(1.0, |column| columns.get(column, i)),
+                pressure: columns.get(core.pressure, i),
+                stress: stress.map_or(Deviator::default(), |column| columns.get(column, i)),
+                damage: packer.damage(columns, i, body),
+                friction: packer.has_friction(body),
+            })
+        };
+        (0..columns.len()).map(energy).collect()
+    }
+
+    /// Collective.
+    fn loads(&self, elastic: &[f64]) -> Loads {
+        let (columns, settings) = (&self.columns, &self.settings);
+        let mut sums = [const { ExactSum::new() }; 3];
+        let mut largest = [0.0];
+        for (i, elastic) in elastic.iter().enumerate() {
+            let body = columns.get(settings.core.id, i).body();
+            let m = settings.constants[body].particle_mass;
+            let pressure = columns.get(settings.core.pressure, i);
+            let acting = damaged_pressure(pressure, settings.packer.damage(columns, i, body));
+            sums.iter_mut().zip([m * elastic, m * acting, m]).for_each(|(sum, share)| sum.add(share));
+            largest[0] = acting.abs().max(largest[0]);
+        }
+        let sums = sum_over_ranks(&mut sums, self.comm);
+        self.comm.all_max(&mut largest);
+        Loads { elastic_energy: sums[0], mean_pressure: sums[1] / sums[2], largest_pressure: largest[0] }
+    }
+}
