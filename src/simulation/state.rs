@@ -72,7 +72,8 @@ pub struct RunState {
     /// Snapshots written.
     pub snapshots: u32,
     pub settled: Option<Settled>,
-    /// (time, s; amplitude, m/s) of a vibration that is compared with its exact period.
+    /// (time, s; amplitude, m/s) of a vibration that is compared with its exact period; of matter at rest its speed over that of
+    /// free fall.
     #[serde(default)]
     pub vibration: Vec<[f64; 2]>,
     /// Outcome where the run settled, or at its end: this one counts. None of ground.

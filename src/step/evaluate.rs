@@ -86,6 +86,8 @@ pub struct Physics<'a> {
     pub motions: Option<&'a Motions>,
     pub gravity: Option<&'a Attraction>,
     pub cfl: f64,
+    /// Time at the end of the step, s since the start.
+    pub now: f64,
 }
 
 impl Physics<'_> {
@@ -207,9 +209,10 @@ impl Physics<'_> {
     fn constrain(&self, motions: &Motions, chunk: &Chunk, workspace: &mut Workspace) -> Option<(f64, usize)> {
         let Workspace { acceleration, new_rates, bodies, .. } = workspace;
         let rates = (&mut acceleration[..], &new_rates[..]);
+        let moving = (self.core.velocity, self.now);
         match self.registry.dimension {
-            2 => motions.constrain::<2>(chunk, self.core.velocity, bodies, rates),
-            _ => motions.constrain::<3>(chunk, self.core.velocity, bodies, rates),
+            2 => motions.constrain::<2>(chunk, moving, bodies, rates),
+            _ => motions.constrain::<3>(chunk, moving, bodies, rates),
         }
     }
 
