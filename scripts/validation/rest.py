@@ -23,8 +23,11 @@ RESTING = {
     "ball, twice the particles": ("ball_fine", "rest_sphere.toml", ["ball.particles=16000"]),
     "pile of sand, 5 mm": ("pile", "rest_pile.toml", []),
     "pile of sand, 2.5 mm": ("pile_fine", "rest_pile.toml", ["sand.spacing=0.0025", "floor.spacing=0.0025"]),
+    "rubble pile": ("rubble", "rest_rubble.toml", []),
+    "rubble pile, twice the particles": ("rubble_fine", "rest_rubble.toml", ["pile.particles=4000"]),
 }
 WITHOUT = {
+    "rubble pile whose forces exert a torque": ("rubble_turning", "rest_rubble.toml", ["numerics.angular_momentum=false"]),
     "ball that starts without load": ("ball_unloaded", "rest_sphere.toml", ["ball.start=unloaded"]),
     "pile that is not damped at first": ("pile_undamped", "rest_pile.toml", ["sand.motion=false"]),
     "pile without friction (damage weakens shear)": ("pile_smooth", "rest_pile.toml", ["material.sand.strength.drucker_prager=false"]),
@@ -97,7 +100,7 @@ def write(found):
         angles.append([f"{friction:g}", rows[0][1], f"{angle:.2f}" + (" **missed**" if missed else ""), f"{expected:.2f}", f"{math.degrees(math.asin(friction)):.2f}"])
     return f"""Nothing may happen: fully damaged matter with friction for two free-fall times and ten crossings of sound or more, at moduli with which
 sound is 25 times as fast as free fall. `inputs/rest_sphere.toml` starts under its own weight, `inputs/rest_pile.toml` is damped for 0.3 s
-before speeds count. Rms speeds over sqrt(G M / R) or sqrt(g H), asked for: {STILL:g}; pressure in a tenth of the depth against
+before speeds count, and the blocks of `inputs/rest_rubble.toml` have fallen together by 3600 s. Rms speeds over sqrt(G M / R) or sqrt(g H), asked for: {STILL:g}; pressure in a tenth of the depth against
 2/3 pi G rho^2 (R^2 - r^2), over that in the middle, asked for: {page.percent(PRESSURE)}. Softened gravity is weaker by (h / R)^2, 0.9
 and 0.6 per cent here, and the last tenth of the depth is one or two spacings of particles: their pressure is a little too large.
 

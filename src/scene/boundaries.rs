@@ -138,9 +138,11 @@ impl RawMotion {
                         return Err(document.error(path, what).allowed("a time, or [time, until]"));
                     }
                 };
-                if let Some(wrong) = [Some(time), until].into_iter().flatten().find(|given| given.0 <= 0.0) {
-                    let what = format!("damping within or until {wrong}");
-                    return Err(document.error(path, what).allowed("times above zero"));
+                for (word, given) in [("within", Some(time)), ("until", until)] {
+                    if let Some(given) = given.filter(|given| given.0 <= 0.0) {
+                        let what = format!("damping {word} {given}");
+                        return Err(document.error(path, what).allowed("a time above zero"));
+                    }
                 }
                 Ok(Motion::Damped { time: time.0, towards, until: until.map(|until| until.0) })
             }

@@ -19,7 +19,7 @@ use crate::particles::{Column, Columns, ParticleId, Registry};
 use crate::scene::hydrostatic::Pressed;
 use crate::scene::{Blast, Body, Flow, Scene, SmoothingLength, Start};
 use crate::step::diagnostics::sum_over_ranks;
-use crate::step::pack::{BodyTraits, PackSettings, Packer};
+use crate::step::pack::{BodyTraits, Moments, PackSettings, Packer};
 use crate::step::stepper::StepSettings;
 
 /// What a scene needs, before any particle exists.
@@ -90,8 +90,14 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Plan {
     let coefficients = |&m: &usize| scene.materials[m].viscosity_coefficients().map_or((0.0, 0.0), |[a, b]| (a, b));
     let viscosity: Vec<(f64, f64)> = body_material.iter().map(coefficients).collect();
     let tensile = scene.numerics.artificial_stress.is_some();
+    let tensor = tensile || scene.materials.iter().any(|m| m.has_strength());
+    // Pressure alone pulls along the line between two particles.
+    let no_torque = scene.numerics.angular_momentum && tensor;
+    if no_torque {
+        Moments::declare(&mut registry);
+    }
     let terms = Terms {
-        tensor: tensile || scene.materials.iter().any(|m| m.has_strength()),
+        tensor,
         viscosity: match (scene.numerics.viscosity, viscosity.windows(2).all(|pair| pair[0].1 == pair[1].1)) {
             (false, _) => Viscosity::Off,
             (true, true) => Viscosity::SameBeta,
@@ -99,6 +105,7 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Plan {
         },
         artificial_stress: tensile,
         correction: scene.numerics.corrected_gradient,
+        no_torque,
     };
     Plan { registry, core, effects, terms, constants, motions, gravity, viscosity }
 }
