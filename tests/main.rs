@@ -26,6 +26,7 @@ mod pay_for_use;
 mod ranks;
 mod ranks_domain;
 mod ranks_outcome;
+mod rest;
 mod sameness;
 mod scenes;
 mod studies;

@@ -6,7 +6,7 @@ use sph_mpi::math::lanes::Width;
 use sph_mpi::pair::artificial_stress;
 use sph_mpi::pair::record::Viscosity;
 use sph_mpi::pair::rows::Constants;
-use sph_mpi::pair::{Layout, PairLoop, RowSums, Rows, Terms};
+use sph_mpi::pair::{Layout, PairLoop, RowSums, Rows, Terms, torque};
 use sph_mpi::random::uniform;
 
 /// A random cloud, every particle a neighbour of every other.
@@ -52,6 +52,9 @@ fn cloud(dimension: usize, terms: Terms, count: usize, seed: u64) -> Cloud {
                 record[layout.artificial() + k] = next(-1.0, 1.0);
             }
         }
+        for k in 0..layout.axial_words() {
+            record[layout.axial() + k] = next(-1.0, 1.0);
+        }
         mass.push(record[layout.volume()] * record[layout.density()]);
     }
     layout.padding(&mut records[count * stride..]);
@@ -89,9 +92,11 @@ fn all_terms() -> Vec<Terms> {
     for viscosity in [Viscosity::Off, Viscosity::SameBeta, Viscosity::OwnBeta] {
         for (tensor, artificial_stress) in [(false, false), (true, false), (true, true)] {
             for correction in [false, true] {
-                all.push(Terms { tensor, viscosity, artificial_stress, correction });
+                all.push(Terms { tensor, viscosity, artificial_stress, correction, no_torque: false });
             }
         }
+        let correction = true;
+        all.push(Terms { tensor: true, viscosity, artificial_stress: false, correction, no_torque: true });
     }
     all
 }
@@ -173,6 +178,12 @@ fn work(layout: &Layout, record: &[f64], s: &RowSums) -> f64 {
     let g = &s.gradient;
     let t = &record[layout.stress()..];
     let diagonal: f64 = (0..d).map(|a| g[a * d + a] * if layout.terms.tensor { t[a] } else { t[0] }).sum();
+    let w = &record[layout.axial()..layout.words()];
+    let diagonal = match w {
+        [] => diagonal,
+        [_] => diagonal + torque::heating::<2>(w, g),
+        _ => diagonal + torque::heating::<3>(w, g),
+    };
     if !layout.terms.tensor {
         diagonal
     } else if d == 2 {
@@ -185,7 +196,8 @@ fn work(layout: &Layout, record: &[f64], s: &RowSums) -> f64 {
 /// The full solid kernel against its formulas, pair by pair.
 #[test]
 fn sums_agree_with_a_plain_double_loop() {
-    let terms = Terms { tensor: true, viscosity: Viscosity::SameBeta, artificial_stress: true, correction: true };
+    let viscosity = Viscosity::SameBeta;
+    let terms = Terms { tensor: true, viscosity, artificial_stress: true, correction: true, no_torque: false };
     let cloud = cloud(3, terms, 25, 3);
     let layout = cloud.layout;
     for (kernel, spline) in [(Kernel::CubicSpline, true), (Kernel::WendlandC2, false)] {
@@ -261,7 +273,8 @@ fn slope(spline: bool, r: f64, h: f64) -> f64 {
 /// Coincident particles, an isolated one and padding leave finite numbers, and no force where there is no direction.
 #[test]
 fn coincident_particles_are_harmless() {
-    let terms = Terms { tensor: true, viscosity: Viscosity::SameBeta, artificial_stress: true, correction: true };
+    let viscosity = Viscosity::SameBeta;
+    let terms = Terms { tensor: true, viscosity, artificial_stress: true, correction: true, no_torque: false };
     let mut cloud = cloud(3, terms, 3, 9);
     let stride = cloud.layout.stride();
     let first: Vec<f64> = cloud.records[..3].to_vec();

@@ -79,7 +79,13 @@ struct Case {
 
 /// Physics that grows from a gas to all that there is.
 fn cases() -> Vec<Case> {
-    let gas = Terms { tensor: false, viscosity: Viscosity::Off, artificial_stress: false, correction: false };
+    let gas = Terms {
+        tensor: false,
+        viscosity: Viscosity::Off,
+        artificial_stress: false,
+        correction: false,
+        no_torque: false,
+    };
     let viscous = Terms { viscosity: Viscosity::SameBeta, ..gas };
     let solid = Terms { tensor: true, ..viscous };
     let corrected = Terms { correction: true, ..solid };

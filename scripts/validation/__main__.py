@@ -17,9 +17,10 @@ import gravity
 import hugoniots
 import page
 import price
+import rest
 from runs import perform, show
 
-SECTIONS = {"convergence": convergence, "hugoniots": hugoniots, "compaction": compaction, "crush": crush, "gravity": gravity, "granular": granular, "price": price}
+SECTIONS = {"convergence": convergence, "hugoniots": hugoniots, "compaction": compaction, "crush": crush, "gravity": gravity, "rest": rest, "granular": granular, "price": price}
 
 
 def main(words):

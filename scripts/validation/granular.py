@@ -1,4 +1,5 @@
-"""Columns of sand that collapse in a channel, against the laws that experiments found (Lube et al. 2005; Lajeunesse et al. 2005)."""
+"""Columns of sand that collapse in a channel or on all sides, against the laws that experiments found (Lube et al. 2004, 2005;
+Lajeunesse et al. 2005)."""
 
 import math
 
@@ -23,6 +24,14 @@ SOUND = 25
 """Speed of sound over sqrt(g H)."""
 TOLERANCE = 0.2
 
+ROUND = {0.5: 10, 1.0: 8, 1.5: 7, 3.0: 6, 5.0: 5, 10.0: 4}
+"""Round columns: height over radius, and particles along the radius."""
+SLAB = {0.5: 12, 1.0: 10, 3.0: 7, 5.0: 6}
+"""The channel in three dimensions, with a period across."""
+ROWS = 7
+"""Particles across that period."""
+SOUND_3D = 20
+
 
 def column(aspect, across, friction=0.5):
     height, spacing = aspect * HALF_WIDTH, HALF_WIDTH / across
@@ -44,6 +53,36 @@ def column(aspect, across, friction=0.5):
     return Run(f"granular/{aspect:g}_{across}_{friction:g}", "column_collapse.toml", settings)
 
 
+def round_law(aspect):
+    """As [`law`], of columns that spread on all sides (Lube et al. 2004)."""
+    return 1.24 * aspect if aspect < 1.7 else 1.6 * aspect**0.5, aspect if aspect < 1.0 else 0.88 * aspect ** (1 / 6)
+
+
+def in_space(aspect, across, is_round):
+    height, spacing = aspect * HALF_WIDTH, HALF_WIDTH / across
+    reach = HALF_WIDTH * (1.4 + (round_law if is_round else law)(aspect)[0])
+    bulk, deep = DENSITY * SOUND_3D**2 * G * height, 3.5 * spacing
+    settings = ["dimension=3", f"gravity.uniform=[0, 0, {-G}]"]
+    if is_round:
+        settings += [f"sand.shape={{ cylinder = {{ radius = {HALF_WIDTH}, height = {height} }} }}"]
+        settings += [f"floor.shape={{ cylinder = {{ radius = {reach}, height = {deep} }} }}"]
+    else:
+        width = ROWS * spacing
+        settings += [f"domain={{ periodic = {{ y = [{-0.5 * width}, {0.5 * width}] }} }}"]
+        settings += [f"sand.size=[{2 * HALF_WIDTH}, {width}, {height}]", f"floor.size=[{2 * reach}, {width}, {deep}]"]
+    settings += [
+        f"sand.position=[0, 0, {0.5 * height}]",
+        f"floor.position=[0, 0, {-0.5 * deep}]",
+        f"sand.spacing={spacing}",
+        f"floor.spacing={spacing}",
+        f"material.sand.eos.simplified_tillotson.A={bulk}",
+        f"material.sand.strength.shear_modulus={0.43 * bulk}",
+        f"run.until={5 * math.sqrt(height / G)}",
+        "output.snapshots=0",
+    ]
+    return Run(f"granular/{'round' if is_round else 'slab'}_{aspect:g}_{across}", "column_collapse.toml", settings)
+
+
 def law(aspect):
     """Run-out of the foot and height at the end, over the half width (Lube et al. 2005; between the two laws their mean in logarithms)."""
     low, high = 1.2 * aspect, 1.9 * aspect ** (2 / 3)
@@ -55,6 +94,7 @@ def runs():
     aspect, resolutions = RESOLUTION
     columns = [column(a, n) for a, n in ASPECTS.items()] + [column(aspect, n) for n in resolutions]
     columns += [column(a, ASPECTS[a], mu) for a, friction in [FRICTION] for mu in friction]
+    columns += [in_space(a, n, True) for a, n in ROUND.items()] + [in_space(a, n, False) for a, n in SLAB.items()]
     return list({run.name: run for run in columns}.values())
 
 
@@ -71,8 +111,9 @@ def measure(run, aspect, across):
     """Foot, height (both over the half width), slope of the flank in degrees, rms speed over sqrt(g H), and the profile."""
     x, v = deposit(run)
     spacing = HALF_WIDTH / across
-    edges = np.arange(0, np.abs(x[:, 0]).max() + 2 * spacing, 2 * spacing)
-    heights = np.array([top(x, low, low + 2 * spacing) for low in edges[:-1]])
+    out, sector = directions(x, "round" in run.name)
+    edges = np.arange(0, out.max() + 2 * spacing, 2 * spacing)
+    heights = np.array([top(x[:, -1], sector, (out >= low) & (out < low + 2 * spacing)) for low in edges[:-1]])
     middle = 0.5 * (edges[:-1] + edges[1:])
     # The foot is where less than two layers of particles are left: beyond it grains lie singly.
     thick = np.nonzero(heights > 2 * spacing)[0]
@@ -84,13 +125,17 @@ def measure(run, aspect, across):
     return foot / HALF_WIDTH - 1, height / HALF_WIDTH, slope, speed, (middle, heights)
 
 
-def top(x, low, high):
-    """Height within a stretch of the distance from the middle: the highest particles of both sides, their mean."""
-    found = []
-    for side in (1, -1):
-        inside = (side * x[:, 0] >= low) & (side * x[:, 0] < high)
-        found.append(x[inside, 1].max() if inside.any() else 0.0)
-    return sum(found) / 2
+def directions(x, is_round):
+    """Distance from the middle, and the number of the side (of a channel) or sector (of a round heap) that a particle lies in."""
+    if is_round:
+        return np.hypot(x[:, 0], x[:, 1]), ((np.arctan2(x[:, 1], x[:, 0]) / (2 * math.pi) % 1.0) * 8).astype(int)
+    return np.abs(x[:, 0]), (x[:, 0] > 0).astype(int)
+
+
+def top(heights, sector, inside):
+    """Height of the highest particle, the mean of all sides or sectors; none counts as none."""
+    sides = np.unique(sector)
+    return sum(heights[inside & (sector == side)].max(initial=0.0) for side in sides) / len(sides)
 
 
 def exponent(points):
@@ -99,22 +144,12 @@ def exponent(points):
 
 
 def write(found):
-    failures, lines, measured = [], [], {}
-    for aspect, across in ASPECTS.items():
-        run = column(aspect, across)
-        summary = found[run.name]
-        runout, height, slope, speed, profile = measured[aspect] = measure(run, aspect, across)
-        laws = law(aspect)
-        cells = []
-        for what, value, expected in (("run-out", runout, laws[0]), ("height", height, laws[1])):
-            off = value / expected - 1
-            missed = abs(off) > TOLERANCE
-            if missed:
-                failures.append(f"column of sand, a = {aspect:g}: {what} {value:.3g}, {expected:.3g} expected (allowed: {page.percent(TOLERANCE)})")
-            cells += [f"{value:.3g}", f"{expected:.3g}", page.percent(off) + (" **missed**" if missed else "")]
-        lines.append([f"{aspect:g}", *cells, f"{slope:.0f}", f"{speed:.1e}", f"{summary['energy_drift']:.1e}", summary["particles"], f"{summary['core_seconds']:.3g}"])
-    low = exponent([(a, m[0]) for a, m in measured.items() if a < 1.8])
-    high = exponent([(a, m[0]) for a, m in measured.items() if a > 2.8])
+    lines, measured, failures = compared("column of sand", [(a, n, column(a, n), law(a)) for a, n in ASPECTS.items()], found)
+    round_lines, rounds, failed = compared("round column of sand", [(a, n, in_space(a, n, True), round_law(a)) for a, n in ROUND.items()], found)
+    slab_lines, slabs, failed_too = compared("channel in 3D", [(a, n, in_space(a, n, False), law(a)) for a, n in SLAB.items()], found)
+    failures += failed + failed_too
+    low, high = exponents(measured)
+    round_low, round_high = exponents(rounds)
     others = []
     aspect, resolutions = RESOLUTION
     for across in resolutions:
@@ -124,8 +159,8 @@ def write(found):
     for friction in frictions:
         runout, height, slope, *_ = measure(column(aspect, ASPECTS[aspect], friction), aspect, ASPECTS[aspect])
         others.append([f"friction {friction:g} for 0.5", f"{runout:.3g}", f"{height:.3g}", f"{slope:.0f}"])
-    draw(measured)
-    head = ["a", "run-out", "law", "off by", "height", "law", "off by", "slope, deg", "rms v / sqrt(g H)", "energy drift", "particles", "core-s"]
+    draw({"channel": measured, "channel in 3D": slabs, "round": rounds})
+    head = ["a", "run-out", "law", "off by", "height", "law", "off by", "slope, deg", "foot to top, deg", "rms v / sqrt(g H)", "energy drift", "particles", "core-s"]
     text = f"""`inputs/column_collapse.toml`, a the height over the half width, lengths in half widths: a channel, Drucker and Prager's law with a friction of
 0.5 in sqrt(J2), which is 30 degrees for shear in the plane. Laws as Lube et al. 2005 give them for channels: run-out 1.2 a (a < 1.8) and
 1.9 a^(2/3) (a > 2.8), height a (a < 1.15) and 0.65 a^(2/5), to {page.percent(TOLERANCE)} (their scatter, and grains of other friction). Five times
@@ -135,28 +170,69 @@ sqrt(H / g) after the start, when experiments have come to rest for long.
 
 The run-out goes as a^{low:.2f} in low columns and as a^{high:.2f} in high ones (experiments: 1 and 2/3).
 
+**Repose.** Two slopes are given: that of the flank between a fifth and four fifths of the height, and that from the foot to the top. A slope
+without end holds up to atan(0.5) = 26.6 degrees (section *At rest*). Heaps that have flowed to where they lie are flatter, the flatter the higher they fell
+from.
+
 The foot is where less than two layers of particles are left, and the last of the flank is thin: with finer particles it reaches
 farther out. Heights beyond a = 1.15 are a quarter to a third above the law, whose own height jumps there; the deposits here have none such.
 With a = 1:
 
 {page.table(["changed", "run-out", "height", "slope, deg"], others)}
 
+**On all sides.** Round columns, radius for half width, after Lube et al. 2004: run-out 1.24 a (a < 1.7) and 1.6 a^(1/2), height a (a < 1) and
+0.88 a^(1/6). Sound is {SOUND_3D} times as fast as sqrt(g H). With few particles along the radius ({", ".join(f"{n} at a = {a:g}" for a, n in ROUND.items())}) the two layers
+that end the foot are a large part of the deposit: the run-out is that of its body, not of its last grains.
+
+{page.table(head, round_lines)}
+
+The run-out goes as a^{round_low:.2f} in low columns and as a^{round_high:.2f} in high ones (experiments: 1 and 1/2).
+
+**The channel in three dimensions**, {ROWS} particles across a period ({", ".join(f"{n} along the half width at a = {a:g}" for a, n in SLAB.items())}), where grains may move across:
+
+{page.table(head, slab_lines)}
+
 ![Deposits](granular.png)"""
     return text, failures
 
 
-def draw(measured):
+def compared(what_it_is, cases, found):
+    """Rows of the table, what was measured by height over half width, and what is outside its tolerance."""
+    failures, lines, measured = [], [], {}
+    for aspect, across, run, laws in cases:
+        summary = found[run.name]
+        runout, height, slope, speed, profile = measured[aspect] = measure(run, aspect, across)
+        cells = []
+        for what, value, expected in (("run-out", runout, laws[0]), ("height", height, laws[1])):
+            off = value / expected - 1
+            missed = abs(off) > TOLERANCE
+            if missed:
+                failures.append(f"{what_it_is}, a = {aspect:g}: {what} {value:.3g}, {expected:.3g} expected (allowed: {page.percent(TOLERANCE)})")
+            cells += [f"{value:.3g}", f"{expected:.3g}", page.percent(off) + (" **missed**" if missed else "")]
+        repose = math.degrees(math.atan(height / (1 + runout)))
+        lines.append([f"{aspect:g}", *cells, f"{slope:.0f}", f"{repose:.0f}", f"{speed:.1e}", f"{summary['energy_drift']:.1e}", summary["particles"], f"{summary['core_seconds']:.3g}"])
+    return lines, measured, failures
+
+
+def exponents(measured):
+    """Of the run-out over the height, in low and in high columns."""
+    return exponent([(a, m[0]) for a, m in measured.items() if a < 1.8]), exponent([(a, m[0]) for a, m in measured.items() if a > 2.8])
+
+
+def draw(cases):
     figure, (profiles, laws) = plt.subplots(1, 2, figsize=(12, 4.6))
-    for aspect, (_, _, _, _, (x, heights)) in measured.items():
+    for aspect, (_, _, _, _, (x, heights)) in cases["channel"].items():
         profiles.plot(x / HALF_WIDTH, heights / HALF_WIDTH, label=f"a = {aspect:g}")
     profiles.set(xlabel="distance / half width", ylabel="height / half width")
     profiles.legend()
     aspects = np.geomspace(0.4, 12, 100)
-    laws.loglog(aspects, [law(a)[0] for a in aspects], "C0-", lw=1, label="run-out, Lube et al. 2005")
-    laws.loglog(aspects, [law(a)[1] for a in aspects], "C1-", lw=1, label="height")
-    laws.loglog(list(measured), [m[0] for m in measured.values()], "C0o", label="run-out here")
-    laws.loglog(list(measured), [m[1] for m in measured.values()], "C1s", label="height here")
+    for colour, (name, of) in enumerate({"channel": law, "round": round_law}.items()):
+        for number, (what, style) in enumerate([("run-out", "-"), ("height", "--")]):
+            laws.loglog(aspects, [of(a)[number] for a in aspects], f"C{colour}{style}", lw=1, label=f"{what}, {name}, Lube et al.")
+    for name, colour in {"channel": "C0", "channel in 3D": "C2", "round": "C1"}.items():
+        for number, (what, mark) in enumerate([("run-out", "o"), ("height", "s")]):
+            laws.loglog(list(cases[name]), [m[number] for m in cases[name].values()], colour + mark, label=f"{what}, {name}, here")
     laws.set(xlabel="height / half width", ylabel="over half width")
-    laws.legend()
+    laws.legend(fontsize=7)
     figure.savefig(page.FOLDER / "granular.png", dpi=110, bbox_inches="tight")
     plt.close(figure)

@@ -69,9 +69,9 @@ fn effects(scene: &Scene, plan: &Plan) -> String {
         rows.push(vec![name.to_string(), why]);
     };
     plan.effects.iter().for_each(|effect| row(effect.name()));
-    ["viscosity", "corrected_gradient", "artificial_stress"]
+    ["viscosity", "corrected_gradient", "artificial_stress", "angular_momentum"]
         .iter()
-        .zip([scene.numerics.viscosity, plan.terms.correction, plan.terms.artificial_stress])
+        .zip([scene.numerics.viscosity, plan.terms.correction, plan.terms.artificial_stress, plan.terms.no_torque])
         .filter(|(_, on)| *on)
         .for_each(|(name, _)| row(name));
     format!("\n{}", aligned(&rows))

@@ -1,14 +1,16 @@
 //! What a scene's gravity does to its particles:
 //!
 //! ```text
-//! uniform    a = g, the same for all             potential energy  -m g.x
+//! uniform    a = g, the same for all             potential energy  -m g.(x + n L)
 //! own        a = -grad phi of all particles      potential energy  m phi / 2
 //! ```
 //!
-//! It acts on accelerations before prescribed motion does, so that what holds a particle also bears its weight. Over time uniform
+//! Along a periodic axis of length L a particle that falls comes back from above: its n counts how often it has gone round, so that
+//! what gravity has done stays known. It acts on accelerations before prescribed motion does, so that what holds a particle also bears its weight. Over time uniform
 //! gravity gives all matter the momentum M g t; particles among each other give none.
 //!
-//! Columns, of own gravity only: `gravity`, `gravitational_potential`, kept between evaluations, which may be rarer than steps.
+//! Columns, of own gravity only: `gravity`, `gravitational_potential`, kept between evaluations, which may be rarer than steps;
+//! where uniform gravity acts along a period: `rounds`, n.
 //! Time step: that of all accelerations.
 
 use super::multipole::{Body, Field, Opening, solve};
@@ -26,6 +28,8 @@ const FIRST_ANGLE: f64 = 0.7;
 pub struct Attraction {
     /// m/s^2.
     pub uniform: Vec3,
+    /// How often particles went round the periods, whose lengths are in m; where uniform gravity acts along one.
+    pub rounds: Option<(Column<Vec3>, Vec3)>,
     pub own: Option<OwnGravity>,
 }
 
@@ -61,8 +65,19 @@ impl Attraction {
 
     /// Potential energy of particle `i` over its mass, J/kg, so that the sum over all is that of all.
     pub fn energy(&self, columns: &Columns, i: usize, x: &Vec3) -> f64 {
-        self.own.map_or(0.0, |own| 0.5 * columns.get(own.potential, i)) - self.uniform.dot(x)
+        let gone = self.rounds.map_or(*x, |(rounds, length)| x + columns.get(rounds, i).component_mul(&length));
+        self.own.map_or(0.0, |own| 0.5 * columns.get(own.potential, i)) - self.uniform.dot(&gone)
     }
+}
+
+/// Name of the column that counts rounds.
+pub const ROUNDS: &str = "rounds";
+
+/// Declares the count of rounds.
+pub fn declare_rounds(registry: &mut Registry) -> Column<Vec3> {
+    let about = "How often the particle went round each period, forwards less backwards.";
+    let info = ColumnInfo { name: ROUNDS, unit: "", about, life: Life::State, snapshot: false };
+    registry.owner("gravity").column(info)
 }
 
 impl OwnGravity {

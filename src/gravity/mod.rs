@@ -20,7 +20,7 @@ pub mod top;
 pub mod tree;
 pub mod walk;
 
-pub use attraction::{Attraction, Matter, OwnGravity};
+pub use attraction::{Attraction, Matter, OwnGravity, ROUNDS, declare_rounds};
 pub use moments::{Acceleration, Field, Potential};
 pub use tree::Tree;
 

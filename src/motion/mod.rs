@@ -4,7 +4,7 @@
 //! ```text
 //! fixed, velocity   v = V for ever,                 a = 0
 //! along             only the named components move, a_k = 0 for the others
-//! damping           a' = a - (v - V) / tau          (V: the velocity at the start)
+//! damping           a' = a - (v - V) / tau          (V: the velocity at the start; for ever, or until a time)
 //! ```
 //!
 //! What holds a particle does work on it and takes up momentum. Both are integrated like everything else, so that a run with
@@ -16,7 +16,7 @@ use std::cell::Cell;
 use serde::{Deserialize, Serialize};
 
 use crate::math::Vec3;
-use crate::particles::{Chunk, Column, ColumnInfo, Integrated, Life, Registry, View};
+use crate::particles::{Chunk, Column, ColumnInfo, Columns, Integrated, Life, Registry, View};
 
 /// Largest step over the time constant of a damping layer.
 const DAMPING_STEP: f64 = 0.25;
@@ -31,8 +31,8 @@ pub enum Motion {
     Prescribed([f64; 3]),
     /// Along these axes only.
     Along([bool; 3]),
-    /// Towards its body's first velocity (m/s), within about this time, s.
-    Damped { time: f64, towards: [f64; 3] },
+    /// Towards its body's first velocity (m/s), within about this time, s, up to the time `until`, s, where it ends.
+    Damped { time: f64, towards: [f64; 3], until: Option<f64> },
 }
 
 impl Motion {
@@ -45,13 +45,23 @@ impl Motion {
         }
     }
 
+    /// Whether forces alone move it at the time `now`, s.
+    #[inline]
+    pub fn is_free(&self, now: f64) -> bool {
+        match self {
+            Motion::Free => true,
+            Motion::Damped { until, .. } => until.is_some_and(|until| now > until),
+            Motion::Prescribed(_) | Motion::Along(_) => false,
+        }
+    }
+
     #[inline]
     fn constrained(&self, free: Vec3, velocity: Vec3) -> Vec3 {
         match self {
             Motion::Free => free,
             Motion::Prescribed(_) => Vec3::zeros(),
             Motion::Along(along) => Vec3::from_fn(|k, _| if along[k] { free[k] } else { 0.0 }),
-            Motion::Damped { time, towards } => free - (velocity - Vec3::from(*towards)) / *time,
+            Motion::Damped { time, towards, .. } => free - (velocity - Vec3::from(*towards)) / *time,
         }
     }
 }
@@ -99,17 +109,24 @@ impl Motions {
         })
     }
 
+    /// Whether a velocity is prescribed to particle `i` of a body.
+    pub fn holds(&self, columns: &Columns, i: usize, body: usize) -> bool {
+        let layer = self.layer.map_or(0, |column| columns.get(column, i) as usize);
+        let motion = if layer == 0 { &self.bodies[body] } else { &self.layers[layer - 1] };
+        matches!(motion, Motion::Prescribed(_))
+    }
+
     fn of(&self, chunk: &Chunk, k: usize, body: usize) -> &Motion {
         let layer = self.layer.map_or(0, |column| chunk.view(column).get(k) as usize);
         if layer == 0 { &self.bodies[body] } else { &self.layers[layer - 1] }
     }
 
     /// Turns the free accelerations of a chunk (D numbers each, m/s^2) into those of its motions and writes the rates of
-    /// work and impulse. Returns the largest step that damping allows, s, and for which particle.
+    /// work and impulse. `now`: s since the start. Returns the largest step that damping allows, s, and for which particle.
     pub fn constrain<const D: usize>(
         &self,
         chunk: &Chunk,
-        velocity: Column<Vec3>,
+        (velocity, now): (Column<Vec3>, f64),
         bodies: &[u16],
         (acceleration, new_rates): (&mut [f64], &[Vec<Cell<u64>>]),
     ) -> Option<(f64, usize)> {
@@ -120,7 +137,7 @@ impl Motions {
         for (k, a) in acceleration.as_chunks_mut::<D>().0.iter_mut().take(chunk.len()).enumerate() {
             let body = bodies[k] as usize;
             let motion = self.of(chunk, k, body);
-            if *motion == Motion::Free {
+            if motion.is_free(now) {
                 continue;
             }
             let v = velocity.get(k);

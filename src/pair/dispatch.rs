@@ -37,12 +37,25 @@ impl PairLoop {
 
 /// The constants of one combination.
 #[derive(Clone, Copy)]
-struct Compiled<const D: usize, const TENSOR: bool, const TENSILE: bool, const CORRECTED: bool, const VISC: u8, K>(
-    std::marker::PhantomData<K>,
-);
+struct Compiled<
+    const D: usize,
+    const TENSOR: bool,
+    const TENSILE: bool,
+    const CORRECTED: bool,
+    const BALANCED: bool,
+    const VISC: u8,
+    K,
+>(std::marker::PhantomData<K>);
 
-impl<const D: usize, const TENSOR: bool, const TENSILE: bool, const CORRECTED: bool, const VISC: u8, K: Shape> Form
-    for Compiled<D, TENSOR, TENSILE, CORRECTED, VISC, K>
+impl<
+    const D: usize,
+    const TENSOR: bool,
+    const TENSILE: bool,
+    const CORRECTED: bool,
+    const BALANCED: bool,
+    const VISC: u8,
+    K: Shape,
+> Form for Compiled<D, TENSOR, TENSILE, CORRECTED, BALANCED, VISC, K>
 {
     const D: usize = D;
     const TERMS: Terms = Terms {
@@ -54,6 +67,7 @@ impl<const D: usize, const TENSOR: bool, const TENSILE: bool, const CORRECTED: b
         },
         artificial_stress: TENSILE,
         correction: CORRECTED,
+        no_torque: BALANCED,
     };
     type Kernel = K;
 }
@@ -87,20 +101,29 @@ fn choose(dimension: usize, terms: Terms, kernel: Kernel, width: Width) -> Loop 
 
 fn with_terms<const D: usize, K: Shape>(terms: Terms, width: Width) -> Loop {
     match (terms.tensor, terms.artificial_stress) {
+        (true, false) if terms.no_torque && terms.correction => balanced::<D, K>(terms, width),
         (_, true) => with_correction::<D, true, true, K>(terms, width),
         (true, false) => with_correction::<D, true, false, K>(terms, width),
         (false, false) => with_correction::<D, false, false, K>(terms, width),
     }
 }
 
+fn balanced<const D: usize, K: Shape>(terms: Terms, width: Width) -> Loop {
+    match terms.viscosity {
+        Viscosity::Off => with_lanes::<Compiled<D, true, false, true, true, 0, K>, D>(width),
+        Viscosity::SameBeta => with_lanes::<Compiled<D, true, false, true, true, 1, K>, D>(width),
+        Viscosity::OwnBeta => with_lanes::<Compiled<D, true, false, true, true, 2, K>, D>(width),
+    }
+}
+
 fn with_correction<const D: usize, const T: bool, const A: bool, K: Shape>(terms: Terms, width: Width) -> Loop {
     match (terms.correction, terms.viscosity) {
-        (false, Viscosity::Off) => with_lanes::<Compiled<D, T, A, false, 0, K>, D>(width),
-        (false, Viscosity::SameBeta) => with_lanes::<Compiled<D, T, A, false, 1, K>, D>(width),
-        (false, Viscosity::OwnBeta) => with_lanes::<Compiled<D, T, A, false, 2, K>, D>(width),
-        (true, Viscosity::Off) => with_lanes::<Compiled<D, T, A, true, 0, K>, D>(width),
-        (true, Viscosity::SameBeta) => with_lanes::<Compiled<D, T, A, true, 1, K>, D>(width),
-        (true, Viscosity::OwnBeta) => with_lanes::<Compiled<D, T, A, true, 2, K>, D>(width),
+        (false, Viscosity::Off) => with_lanes::<Compiled<D, T, A, false, false, 0, K>, D>(width),
+        (false, Viscosity::SameBeta) => with_lanes::<Compiled<D, T, A, false, false, 1, K>, D>(width),
+        (false, Viscosity::OwnBeta) => with_lanes::<Compiled<D, T, A, false, false, 2, K>, D>(width),
+        (true, Viscosity::Off) => with_lanes::<Compiled<D, T, A, true, false, 0, K>, D>(width),
+        (true, Viscosity::SameBeta) => with_lanes::<Compiled<D, T, A, true, false, 1, K>, D>(width),
+        (true, Viscosity::OwnBeta) => with_lanes::<Compiled<D, T, A, true, false, 2, K>, D>(width),
     }
 }
 

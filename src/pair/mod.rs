@@ -17,6 +17,7 @@ pub mod dispatch;
 pub mod record;
 pub mod rows;
 pub mod stress;
+pub mod torque;
 pub mod viscosity;
 
 pub use dispatch::PairLoop;

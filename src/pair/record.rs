@@ -10,6 +10,8 @@ pub struct Terms {
     pub artificial_stress: bool,
     /// Correction of the velocity gradient.
     pub correction: bool,
+    /// Forces without torque; only with `tensor` and `correction`, and without artificial stress.
+    pub no_torque: bool,
 }
 
 /// How viscosity enters the record.
@@ -86,9 +88,22 @@ impl Layout {
             }
     }
 
+    /// Axial vector of the antisymmetric stress, Pa: x y z in 3D, z in 2D.
+    pub const fn axial(&self) -> usize {
+        self.artificial() + if self.terms.artificial_stress { self.tensor_words() } else { 0 }
+    }
+
+    pub const fn axial_words(&self) -> usize {
+        match (self.terms.no_torque, self.dimension) {
+            (false, _) => 0,
+            (true, 2) => 1,
+            (true, _) => 3,
+        }
+    }
+
     /// Numbers of a record; a ghost record sends just these.
     pub const fn words(&self) -> usize {
-        self.artificial() + if self.terms.artificial_stress { self.tensor_words() } else { 0 }
+        self.axial() + self.axial_words()
     }
 
     /// Numbers from one record to the next: whole lines of 64 bytes.
@@ -110,12 +125,15 @@ mod tests {
 
     #[test]
     fn a_solid_takes_two_lines_and_a_gas_sends_fewer_numbers() {
-        let solid = Terms { tensor: true, viscosity: Viscosity::SameBeta, artificial_stress: false, correction: true };
+        let viscosity = Viscosity::SameBeta;
+        let solid = Terms { tensor: true, viscosity, artificial_stress: false, correction: true, no_torque: false };
         let gas = Terms { tensor: false, ..solid };
         assert_eq!(Layout { dimension: 3, terms: solid }.words(), 16);
         assert_eq!(Layout { dimension: 3, terms: gas }.words(), 11);
         assert_eq!(Layout { dimension: 2, terms: gas }.words(), 9);
         let tensile = Terms { artificial_stress: true, ..solid };
         assert_eq!(Layout { dimension: 3, terms: tensile }.words(), 22);
+        let balanced = Terms { no_torque: true, ..solid };
+        assert_eq!([2, 3].map(|dimension| Layout { dimension, terms: balanced }.words()), [12, 19]);
     }
 }

@@ -8,6 +8,7 @@ use super::Pair;
 use super::artificial_stress;
 use super::record::{Layout, Terms, Viscosity};
 use super::stress::{PairStress, add_pressure_force};
+use super::torque;
 use super::viscosity::{Inputs, viscous};
 use crate::kernel::Shape;
 use crate::math::lanes::{LANES, Lanes};
@@ -213,6 +214,10 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
                 dissipation = dissipation.sub(power);
             }
             stress.minus_pressure(pressure).add_force(&pair.gradient, force);
+            if F::TERMS.no_torque {
+                let range = layout.axial()..layout.axial() + layout.axial_words();
+                torque::add_force(&i.words[range.clone()], &j.words[range], &pair, force);
+            }
         } else {
             let from = layout.stress();
             add_pressure_force(i.at(from).add(j.at(from)), pressure, &pair, force);

@@ -38,6 +38,11 @@ impl Periods {
         if inside >= low + length || inside < low { low } else { inside }
     }
 
+    /// How many periods a coordinate lies beyond that of [`Periods::wrapped`]; whole.
+    pub fn rounds(&self, axis: usize, x: f64) -> f64 {
+        if self.closed(axis) { ((x - self.wrapped(axis, x)) / self.length[axis]).round() } else { 0.0 }
+    }
+
     /// From a particle to its nearest images: nothing first, then one period along one or more axes. m.
     pub fn shifts<const D: usize>(&self) -> Vec<[f64; D]> {
         let mut shifts = vec![[0.0; D]];
@@ -68,6 +73,8 @@ mod tests {
         assert_eq!([-1.0, 2.0, 1.75, -1.5, 8.25].map(|x| TUBE.wrapped(1, x)), [-1.0, -1.0, 1.75, 1.5, -0.75]);
         // A hair below the edge would round to the far one.
         assert_eq!(TUBE.wrapped(2, -1e-30), 0.0);
+        assert_eq!([-1.0, 2.0, 1.75, -1.5, 8.25].map(|x| TUBE.rounds(1, x)), [0.0, 1.0, 0.0, -1.0, 3.0]);
+        assert_eq!([TUBE.rounds(0, 7.0), TUBE.rounds(2, -1e-30)], [0.0, 0.0]);
         assert!(TUBE.wrapped(1, f64::NAN).is_nan());
     }
 

@@ -234,6 +234,15 @@ impl Reader<'_> {
                 radius: self.positive("shape.cylinder.radius", cylinder.radius)?,
                 height: self.positive("shape.cylinder.height", cylinder.height)?,
             }),
+            RawShape::Heap(heap) => {
+                let radius = self.positive("shape.heap.radius", heap.radius)?;
+                if !(0.0..=radius).contains(&heap.top.0) {
+                    let what = format!("top is {} above a foot of {}", heap.top, heap.radius);
+                    return Err(self.error("shape.heap.top", what).allowed("0 to the radius"));
+                }
+                let height = self.positive("shape.heap.height", heap.height)?;
+                Ok(Shape::Heap { radius, top: heap.top.0, height })
+            }
             RawShape::Box(edges) => {
                 let size = self.components("shape.box.size", &edges.size)?;
                 for edge in &edges.size.0 {

@@ -99,7 +99,8 @@ pub enum RawMotion {
     Fixed,
     Velocity(Components<Speed>),
     Along(Vec<Axis>),
-    Damping(Time),
+    /// Within about this time; for ever, or until a second one.
+    Damping(Components<Time>),
 }
 
 impl RawMotion {
@@ -128,9 +129,22 @@ impl RawMotion {
                 }
                 Ok(Motion::Along(along))
             }
-            RawMotion::Damping(time) if time.0 > 0.0 => Ok(Motion::Damped { time: time.0, towards }),
-            RawMotion::Damping(time) => {
-                Err(document.error(path, format!("damping within {time}")).allowed("a time above zero"))
+            RawMotion::Damping(Components(times)) => {
+                let (time, until) = match times[..] {
+                    [time] => (time, None),
+                    [time, until] => (time, Some(until)),
+                    _ => {
+                        let what = format!("{} times", times.len());
+                        return Err(document.error(path, what).allowed("a time, or [time, until]"));
+                    }
+                };
+                for (word, given) in [("within", Some(time)), ("until", until)] {
+                    if let Some(given) = given.filter(|given| given.0 <= 0.0) {
+                        let what = format!("damping {word} {given}");
+                        return Err(document.error(path, what).allowed("a time above zero"));
+                    }
+                }
+                Ok(Motion::Damped { time: time.0, towards, until: until.map(|until| until.0) })
             }
         }
     }

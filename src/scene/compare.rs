@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::boundaries::RawInterval;
 use super::source::Document;
 use crate::error::Result;
-use crate::units::Length;
+use crate::units::{Length, Time};
 
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -13,6 +13,7 @@ pub struct RawCompare {
     with: Solution,
     within: Option<RawInterval>,
     core: Option<Length>,
+    after: Option<Time>,
 }
 
 /// The solutions there are.
@@ -37,6 +38,8 @@ pub enum Solution {
     Vibration,
     /// A body with a `spin`.
     Rotation,
+    /// Matter under gravity that has nothing to do but to rest.
+    Rest,
 }
 
 /// A validated comparison.
@@ -47,6 +50,8 @@ pub struct Compare {
     pub within: [f64; 2],
     /// Largest distance from the coordinate's axis that counts, m.
     pub core: Option<f64>,
+    /// Time from which on counts whether matter rests, s.
+    pub after: f64,
 }
 
 impl RawCompare {
@@ -61,6 +66,13 @@ impl RawCompare {
             }
             core => core.map(|core| core.0),
         };
-        Ok(Compare { with: self.with, within, core })
+        let after = match self.after {
+            Some(after) if after.0 < 0.0 || self.with != Solution::Rest => {
+                let what = format!("after {after} with {:?}", self.with).to_lowercase();
+                return Err(document.error("compare.after", what).allowed("0 or more, with \"rest\""));
+            }
+            after => after.map_or(0.0, |after| after.0),
+        };
+        Ok(Compare { with: self.with, within, core, after })
     }
 }

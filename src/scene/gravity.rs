@@ -64,7 +64,7 @@ impl RawGravity {
         if self.uniform.is_none() && self.own.0.is_none() {
             return Err(document.error("gravity", "nothing attracts").allowed("a key `uniform` or `self`"));
         }
-        let uniform = self.uniform.as_ref().map(|given| uniform(document, given, dimension, periods)).transpose()?;
+        let uniform = self.uniform.as_ref().map(|given| uniform(document, given, dimension)).transpose()?;
         let own = self.own.0.map(|own| own.validate(document, dimension, periods)).transpose()?;
         Ok(Gravity { uniform, own })
     }
@@ -88,12 +88,7 @@ impl RawOwnGravity {
     }
 }
 
-fn uniform(
-    document: &Document,
-    uniform: &Components<Acceleration>,
-    dimension: usize,
-    periods: &Periods,
-) -> Result<[f64; 3]> {
+fn uniform(document: &Document, uniform: &Components<Acceleration>, dimension: usize) -> Result<[f64; 3]> {
     let error = |what: String| document.error("gravity.uniform", what);
     if uniform.0.len() != dimension {
         let what = format!("{} components in {dimension} dimensions", uniform.0.len());
@@ -101,9 +96,5 @@ fn uniform(
     }
     let mut acceleration = [0.0; 3];
     acceleration.iter_mut().zip(&uniform.0).for_each(|(a, given)| *a = given.0);
-    if let Some(axis) = (0..dimension).find(|&axis| periods.closed(axis) && acceleration[axis] != 0.0) {
-        let what = format!("matter would fall for ever along {}, which is periodic", ["x", "y", "z"][axis]);
-        return Err(error(what).allowed("no component along a periodic axis"));
-    }
     Ok(acceleration)
 }

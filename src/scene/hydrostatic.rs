@@ -1,4 +1,4 @@
-//! `start = "hydrostatic"`: a ball of rock that carries its own weight from the start.
+//! `start = "hydrostatic"`: a ball of rock that carries its own weight from the start; boxes of ground are in `slab`.
 //!
 //! The ball keeps the mass that its shape has at its density without load. Shells are named by the mass m inside them; with
 //! the pressure that each bears and the density that the equation of state gives it,
@@ -15,6 +15,8 @@ use std::f64::consts::PI;
 use serde::{Deserialize, Serialize};
 
 use super::body::Body;
+use super::shape::Shape;
+use super::slab::Slab;
 use crate::error::{Error, Result};
 use crate::gravity::G;
 use crate::material::eos::Eos;
@@ -26,7 +28,7 @@ pub enum Start {
     /// On the lattice, at the density of the body.
     #[default]
     Unloaded,
-    /// Pressed together by the body's own gravity.
+    /// Pressed together by its weight.
     Hydrostatic,
 }
 
@@ -34,6 +36,37 @@ const SHELLS: usize = 2000;
 const MOST_TURNS: usize = 200;
 /// Change of a radius, relative, at which the turns have ended.
 const CONVERGED: f64 = 1e-12;
+
+/// How a body is pressed together.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Pressed {
+    /// By its own gravity; with its centre, m.
+    Ball(Profile, [f64; 3]),
+    /// By uniform gravity.
+    Slab(Slab),
+}
+
+impl Pressed {
+    /// `uniform`: acceleration of a box, m/s^2.
+    pub fn new(body: &Body, law: &Eos, uniform: [f64; 3]) -> Result<Self> {
+        match body.shape {
+            Shape::Box { .. } => Slab::new(body, law, uniform).map(Self::Slab),
+            _ => Profile::new(body, law).map(|profile| Self::Ball(profile, body.centre)),
+        }
+    }
+
+    /// For what lies at `point` without load, m: the place that it gets, and its density, kg/m^3.
+    pub fn at(&self, point: [f64; 3]) -> ([f64; 3], f64) {
+        match self {
+            Self::Slab(slab) => slab.at(point),
+            Self::Ball(profile, centre) => {
+                let away: [f64; 3] = std::array::from_fn(|k| point[k] - centre[k]);
+                let (ratio, density) = profile.at(away.iter().map(|x| x * x).sum::<f64>().sqrt());
+                (std::array::from_fn(|k| centre[k] + away[k] * ratio), density)
+            }
+        }
+    }
+}
 
 /// Where shells are and how dense they are, at equal steps of the radius without load.
 #[derive(Debug, Clone, PartialEq)]
@@ -99,7 +132,7 @@ impl Profile {
 }
 
 /// The density at which matter of this energy has this pressure, by bisection upwards of where it has none.
-fn density_at(law: &Eos, pressure: f64, u: f64) -> Option<f64> {
+pub(super) fn density_at(law: &Eos, pressure: f64, u: f64) -> Option<f64> {
     let off = |rho: f64| law.pressure(rho, u).0 - pressure;
     let rest = law.reference_density()?;
     let (mut low, mut high) = (rest, rest);

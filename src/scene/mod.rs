@@ -19,6 +19,7 @@ pub mod numerics;
 mod raw;
 pub mod settings;
 pub mod shape;
+mod slab;
 pub mod source;
 pub mod start;
 #[cfg(test)]
@@ -167,7 +168,7 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
     let gravity = raw.gravity.as_ref().map(|gravity| gravity.validate(document, dimension, &periods));
     let gravity = gravity.transpose()?.unwrap_or_default();
     let bodies = bodies(document, raw, (&materials, &material_names), &periods, impact.as_ref(), numerics.eta)?;
-    check_starts(document, &bodies, (&materials, &gravity))?;
+    check_starts(document, &bodies, (&materials, &gravity, &periods))?;
     check_overlaps(document, &bodies)?;
     boundaries::check_periods(document, &periods, &bodies, largest_reach(&bodies, &numerics))?;
     let layers =
@@ -329,16 +330,21 @@ fn largest_reach(bodies: &[Body], numerics: &Numerics) -> f64 {
 fn check_starts(
     document: &Document,
     bodies: &[Body],
-    (materials, gravity): (&[MaterialTable], &Gravity),
+    (materials, gravity, periods): (&[MaterialTable], &Gravity, &Periods),
 ) -> Result<()> {
     for (number, body) in bodies.iter().enumerate().filter(|(_, body)| body.start == Start::Hydrostatic) {
         let material = &materials[body.material];
         let refused = match () {
+            () if material.reference_density().is_none() => Some(("a gas has no surface", "a solid")),
+            () if body.rubble.is_some() => Some(("the voids of a pile carry nothing", "a body without `rubble`")),
+            () if material.porosity.is_some() => Some(("pores would crush first", "a material without porosity")),
+            () if is_ground(body, periods, gravity) => None,
+            () if matches!(body.shape, Shape::Box { .. }) && gravity.own.is_none() => Some((
+                "nothing holds the body's sides, or nothing pulls it down",
+                "a box that fills its periods, gravity.uniform downwards",
+            )),
             () if gravity.own.is_none() => Some(("no matter attracts any here", "a key `self` in [gravity]")),
             () if !matches!(body.shape, Shape::Sphere { .. }) => Some(("the body is no ball", "a sphere")),
-            () if body.rubble.is_some() => Some(("the voids of a pile carry nothing", "a body without `rubble`")),
-            () if material.reference_density().is_none() => Some(("a gas has no surface", "a solid")),
-            () if material.porosity.is_some() => Some(("pores would crush first", "a material without porosity")),
             () => None,
         };
         if let Some((what, allowed)) = refused {
@@ -346,6 +352,14 @@ fn check_starts(
         }
     }
     Ok(())
+}
+
+/// Whether a body is a box without sides that uniform gravity alone pulls down.
+fn is_ground(body: &Body, periods: &Periods, gravity: &Gravity) -> bool {
+    let (Shape::Box { size }, Some(uniform), None) = (body.shape, gravity.uniform, gravity.own) else { return false };
+    let up = body.dimension - 1;
+    let filled = boundaries::fills(periods, size);
+    uniform[up] < 0.0 && !periods.closed(up) && (0..up).all(|axis| filled[axis])
 }
 
 fn check_overlaps(document: &Document, bodies: &[Body]) -> Result<()> {
@@ -371,6 +385,7 @@ fn varied(document: &Document, impact: Option<&Impact>, bodies: &[Body]) -> Resu
     let keys: &[&str] = match projectile.shape {
         Shape::Sphere { .. } | Shape::HalfSphere { .. } => &["radius"],
         Shape::Cylinder { .. } => &["radius", "height"],
+        Shape::Heap { .. } => &["radius", "top", "height"],
         Shape::Box { .. } => &[],
     };
     Ok(keys.iter().map(|key| format!("{}.{key}", projectile.name)).collect())

@@ -20,6 +20,7 @@ pub struct RawNumerics {
     neighbours: Option<Number>,
     pub(super) viscosity: bool,
     corrected_gradient: bool,
+    angular_momentum: bool,
     artificial_stress: Switch<RawArtificialStress>,
     smoothing_length: RawSmoothingLength,
 }
@@ -34,6 +35,7 @@ impl Default for RawNumerics {
             neighbours: None,
             viscosity: true,
             corrected_gradient: false,
+            angular_momentum: false,
             artificial_stress: Switch(None),
             smoothing_length: RawSmoothingLength::default(),
         }
@@ -174,6 +176,8 @@ pub struct Numerics {
     /// Whether artificial viscosity acts at all; its strength belongs to the material.
     pub viscosity: bool,
     pub corrected_gradient: bool,
+    /// Whether forces between particles are to exert no torque.
+    pub angular_momentum: bool,
     pub artificial_stress: Option<ArtificialStress>,
     pub smoothing_length: SmoothingLength,
 }
@@ -214,6 +218,11 @@ impl RawNumerics {
                 largest: within("smoothing_length.largest", largest, 1.0, 100.0)?,
             },
         };
+        if self.angular_momentum && (!self.corrected_gradient || artificial_stress.is_some()) {
+            let what = "angular momentum is conserved by what the corrected gradient knows of a neighbourhood";
+            let error = document.error("numerics.angular_momentum", what);
+            return Err(error.allowed("numerics.corrected_gradient = true, and no artificial_stress"));
+        }
         Ok(Numerics {
             kernel: self.kernel,
             cfl: within("cfl", self.cfl, 1e-3, 1.0)?,
@@ -221,6 +230,7 @@ impl RawNumerics {
             eta,
             viscosity: self.viscosity,
             corrected_gradient: self.corrected_gradient,
+            angular_momentum: self.angular_momentum,
             artificial_stress,
             smoothing_length,
         })

@@ -96,6 +96,7 @@ pub enum RawShape {
     Sphere(RawBall),
     Box(RawBox),
     Cylinder(RawCylinder),
+    Heap(RawHeap),
     #[serde(alias = "half_disc")]
     HalfSphere(RawHalfBall),
 }
@@ -125,6 +126,16 @@ pub struct RawBox {
 #[serde(deny_unknown_fields)]
 pub struct RawCylinder {
     pub radius: Length,
+    pub height: Length,
+}
+
+/// Flat at the top where `top` is more than 0.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RawHeap {
+    pub radius: Length,
+    #[serde(default)]
+    pub top: Length,
     pub height: Length,
 }
 

@@ -15,6 +15,9 @@ pub enum Shape {
     Box { size: [f64; 3] },
     /// Axis along z, centre at half height; 3D only.
     Cylinder { radius: f64, height: f64 },
+    /// A cone cut off at the top, axis along z (along y in 2D, where it is a trapezium), centre at half height; radii of foot
+    /// and top.
+    Heap { radius: f64, top: f64, height: f64 },
     /// Flat face up, its middle the centre; material below (z < 0, in 2D y < 0), beyond `inner` from the centre: shells of
     /// different spacing may lie around each other.
     HalfSphere { radius: f64, inner: f64 },
@@ -29,6 +32,8 @@ impl Shape {
             Shape::HalfSphere { radius, inner } => 0.5 * (ball(radius) - ball(inner)),
             Shape::Box { size } => size[..dimension].iter().product(),
             Shape::Cylinder { radius, height } => PI * radius * radius * height,
+            Shape::Heap { radius, top, height } if dimension == 2 => (radius + top) * height,
+            Shape::Heap { radius, top, height } => PI / 3.0 * (radius * radius + radius * top + top * top) * height,
         }
     }
 
@@ -44,6 +49,9 @@ impl Shape {
             }
             Shape::Box { size } => (0..dimension).all(|a| 2.0 * point[a].abs() <= size[a]),
             Shape::Cylinder { radius, height } => x * x + y * y <= radius * radius && 2.0 * z.abs() <= height,
+            Shape::Heap { height, .. } => {
+                2.0 * point[dimension - 1].abs() <= height && self.flank_distance(point, dimension) >= 0.0
+            }
         }
     }
 
@@ -59,6 +67,10 @@ impl Shape {
             }
             Shape::Box { size } => half = size.map(|s| 0.5 * s),
             Shape::Cylinder { radius, height } => half = [radius, radius, 0.5 * height],
+            Shape::Heap { radius, height, .. } => {
+                half[..dimension].fill(radius);
+                half[dimension - 1] = 0.5 * height;
+            }
         }
         Bounds { middle, half, dimension }
     }
@@ -68,7 +80,9 @@ impl Shape {
         match *self {
             Shape::Sphere { radius } | Shape::HalfSphere { radius, .. } => radius,
             Shape::Box { size } => 0.5 * (size[0] * size[0] + size[1] * size[1] + size[2] * size[2]).sqrt(),
-            Shape::Cylinder { radius, height } => (radius * radius + 0.25 * height * height).sqrt(),
+            Shape::Cylinder { radius, height } | Shape::Heap { radius, height, .. } => {
+                (radius * radius + 0.25 * height * height).sqrt()
+            }
         }
     }
 
@@ -85,11 +99,24 @@ impl Shape {
         match *self {
             Shape::Sphere { radius } | Shape::HalfSphere { radius, .. } => radius - (x * x + y * y + z * z).sqrt(),
             Shape::Cylinder { radius, height } => (radius - (x * x + y * y).sqrt()).min(0.5 * height + z),
+            // Flanks are its upper face.
+            Shape::Heap { height, .. } => 0.5 * height + point[dimension - 1],
             Shape::Box { size } => (0..dimension).filter(|&axis| across[axis]).fold(f64::INFINITY, |least, axis| {
                 let height = if axis == dimension - 1 { point[axis] } else { -point[axis].abs() };
                 least.min(0.5 * size[axis] + height)
             }),
         }
+    }
+
+    /// Distance of a point from the flanks of a heap, m, below zero outside; infinite for other shapes.
+    fn flank_distance(&self, point: [f64; 3], dimension: usize) -> f64 {
+        let Shape::Heap { radius, top, height } = *self else { return f64::INFINITY };
+        let (from_axis, up) = match dimension {
+            2 => (point[0].abs(), point[1]),
+            _ => ((point[0] * point[0] + point[1] * point[1]).sqrt(), point[2]),
+        };
+        let narrowing = (radius - top) / height;
+        (radius - narrowing * (up + 0.5 * height) - from_axis) / (1.0 + narrowing * narrowing).sqrt()
     }
 
     /// Distance of a point inside from the surface, m.
@@ -103,6 +130,9 @@ impl Shape {
                 (radius - from_centre).min(-point[dimension - 1]).min(hollow)
             }
             Shape::Cylinder { radius, height } => (radius - (x * x + y * y).sqrt()).min(0.5 * height - z.abs()),
+            Shape::Heap { height, .. } => {
+                self.flank_distance(point, dimension).min(0.5 * height - point[dimension - 1].abs())
+            }
             Shape::Box { size } => {
                 (0..dimension).map(|axis| 0.5 * size[axis] - point[axis].abs()).fold(f64::INFINITY, f64::min)
             }
@@ -115,6 +145,7 @@ impl Shape {
             Shape::Sphere { .. } => [0.0; 3],
             Shape::HalfSphere { inner, .. } => std::array::from_fn(|k| if k == 0 { inner } else { 0.0 }),
             Shape::Cylinder { height, .. } => [0.0, 0.0, 0.5 * height],
+            Shape::Heap { height, .. } => std::array::from_fn(|k| if k == dimension - 1 { 0.5 * height } else { 0.0 }),
             Shape::Box { size } => std::array::from_fn(|k| if k == dimension - 1 { 0.5 * size[k] } else { 0.0 }),
         };
         self.outer_distance(innermost, across, dimension)
@@ -161,7 +192,8 @@ fn grid(low: [f64; 3], high: [f64; 3], dimension: usize) -> impl Iterator<Item =
 mod tests {
     use super::*;
 
-    const SHAPES: [Shape; 5] = [
+    const SHAPES: [Shape; 6] = [
+        Shape::Heap { radius: 1.9, top: 0.4, height: 1.1 },
         Shape::Sphere { radius: 1.3 },
         Shape::Box { size: [1.0, 2.0, 3.0] },
         Shape::Cylinder { radius: 0.8, height: 2.5 },
@@ -181,6 +213,7 @@ mod tests {
             assert!((inside - share).abs() < 6.0 / 48.0 / 4.0, "{shape:?}: {inside} {share}");
         }
         assert_eq!(Shape::Box { size: [2.0, 3.0, 0.0] }.volume(2), 6.0);
+        assert_eq!(Shape::Heap { radius: 3.0, top: 1.0, height: 2.0 }.volume(2), 8.0);
         assert_eq!(Shape::HalfSphere { radius: 2.0, inner: 0.0 }.volume(2), 2.0 * PI);
     }
 
@@ -189,6 +222,19 @@ mod tests {
         let half = Shape::HalfSphere { radius: 1.0, inner: 0.0 };
         assert!(half.contains([0.0, 0.5, -0.5], 3) && !half.contains([0.0, 0.0, 0.1], 3));
         assert!(half.contains([0.5, -0.5, 0.0], 2) && !half.contains([0.0, 0.1, 0.0], 2));
+    }
+
+    #[test]
+    fn a_heap_narrows_upwards() {
+        let heap = Shape::Heap { radius: 3.0, top: 0.0, height: 3.0 };
+        for (dimension, [foot, inside, flank, above]) in [
+            (2, [[2.9, -1.5, 0.0], [0.5, 0.0, 0.0], [1.6, 0.0, 0.0], [0.0, 1.6, 0.0]]),
+            (3, [[0.0, 2.9, -1.5], [0.5, 0.0, 0.0], [0.0, 1.6, 0.0], [0.0, 0.0, 1.6]]),
+        ] {
+            assert!(heap.contains(foot, dimension) && heap.contains(inside, dimension));
+            assert!(!heap.contains(flank, dimension) && !heap.contains(above, dimension));
+            assert!((heap.depth(inside, dimension) - 0.5f64.sqrt()).abs() < 1e-15);
+        }
     }
 
     #[test]

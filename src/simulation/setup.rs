@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::modes;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
-use crate::gravity::{Attraction, G, OwnGravity};
+use crate::gravity::{self, Attraction, G, OwnGravity};
 use crate::kernel::{CubicSpline, Shape};
 use crate::material::{self, BodyConstants, Core, MaterialEffect, Setup};
 use crate::math::{ExactSum, Vec3};
@@ -16,10 +16,10 @@ use crate::pair::record::Viscosity;
 use crate::pair::rows::Constants;
 use crate::pair::{PairLoop, Terms};
 use crate::particles::{Column, Columns, ParticleId, Registry};
-use crate::scene::hydrostatic::Profile;
+use crate::scene::hydrostatic::Pressed;
 use crate::scene::{Blast, Body, Flow, Scene, SmoothingLength, Start};
 use crate::step::diagnostics::sum_over_ranks;
-use crate::step::pack::{BodyTraits, PackSettings, Packer};
+use crate::step::pack::{BodyTraits, Moments, PackSettings, Packer};
 use crate::step::stepper::StepSettings;
 
 /// What a scene needs, before any particle exists.
@@ -81,6 +81,7 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Plan {
     );
     let gravity = scene.gravity.any().then(|| Attraction {
         uniform: Vec3::from(scene.gravity.uniform.unwrap_or_default()),
+        rounds: falls_round(scene).then(|| (gravity::declare_rounds(&mut registry), Vec3::from(scene.periods.length))),
         own: scene.gravity.own.map(|own| {
             let densest = constants.iter().map(|body| body.density).fold(0.0, f64::max);
             OwnGravity::declare(&mut registry, own.accuracy, own.interval * free_fall_time(densest))
@@ -89,8 +90,14 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Plan {
     let coefficients = |&m: &usize| scene.materials[m].viscosity_coefficients().map_or((0.0, 0.0), |[a, b]| (a, b));
     let viscosity: Vec<(f64, f64)> = body_material.iter().map(coefficients).collect();
     let tensile = scene.numerics.artificial_stress.is_some();
+    let tensor = tensile || scene.materials.iter().any(|m| m.has_strength());
+    // Pressure alone pulls along the line between two particles.
+    let no_torque = scene.numerics.angular_momentum && tensor;
+    if no_torque {
+        Moments::declare(&mut registry);
+    }
     let terms = Terms {
-        tensor: tensile || scene.materials.iter().any(|m| m.has_strength()),
+        tensor,
         viscosity: match (scene.numerics.viscosity, viscosity.windows(2).all(|pair| pair[0].1 == pair[1].1)) {
             (false, _) => Viscosity::Off,
             (true, true) => Viscosity::SameBeta,
@@ -98,8 +105,15 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Plan {
         },
         artificial_stress: tensile,
         correction: scene.numerics.corrected_gradient,
+        no_torque,
     };
     Plan { registry, core, effects, terms, constants, motions, gravity, viscosity }
+}
+
+/// Whether uniform gravity acts along a period.
+fn falls_round(scene: &Scene) -> bool {
+    let uniform = scene.gravity.uniform.unwrap_or_default();
+    (0..scene.dimension).any(|axis| scene.periods.closed(axis) && uniform[axis] != 0.0)
 }
 
 /// Time in which a ball of this density (kg/m^3) at rest, that nothing holds, falls into its centre, s.
@@ -119,10 +133,11 @@ impl Plan {
                 Some(Flow::Mode { shape, speed }) => Some((modes::Shape::new(scene, body, shape)?, speed)),
                 _ => None,
             };
-            let profile = match body.start {
+            let pressed = match body.start {
                 Start::Hydrostatic => {
-                    let profile = Profile::new(body, &scene.materials[body.material].eos.law());
-                    Some(profile.map_err(|e| e.at(format!("{}: body {}", scene.path(), body.name)).bad_input())?)
+                    let uniform = scene.gravity.uniform.unwrap_or_default();
+                    let pressed = Pressed::new(body, &scene.materials[body.material].eos.law(), uniform);
+                    Some(pressed.map_err(|e| e.at(format!("{}: body {}", scene.path(), body.name)).bad_input())?)
                 }
                 Start::Unloaded => None,
             };
@@ -148,10 +163,9 @@ impl Plan {
                 if let Some(damage) = damage.filter(|_| scene.materials[body.material].has_fracture()) {
                     columns.set(damage, i, body.damage_at(position));
                 }
-                if let Some(profile) = &profile {
-                    let (centre, unloaded) = (Vec3::from(body.centre), Vec3::from(position));
-                    let (ratio, density) = profile.at((unloaded - centre).norm_squared().sqrt());
-                    columns.set(core.position, i, centre + (unloaded - centre) * ratio);
+                if let Some(pressed) = &pressed {
+                    let (place, density) = pressed.at(position);
+                    columns.set(core.position, i, Vec3::from(place));
                     columns.set(core.density.value, i, density);
                 }
                 if let Some(u) = internal_energy {

@@ -85,7 +85,8 @@ pub struct RunState {
     /// Since the late stage has begun.
     #[serde(default)]
     pub late: Option<LateStart>,
-    /// (time, s; amplitude, m/s) of a vibration that is compared with its exact period.
+    /// (time, s; amplitude, m/s) of a vibration that is compared with its exact period; of matter at rest its speed over that of
+    /// free fall.
     #[serde(default)]
     pub vibration: Vec<[f64; 2]>,
     /// Outcome where the run settled, or at its end: this one counts. None of ground.

@@ -13,7 +13,7 @@ use crate::gravity::Attraction;
 use crate::material::{BodyConstants, Core, Late, Local, MaterialEffect, Motion};
 use crate::math::{Mat3, Sym};
 use crate::motion::Motions;
-use crate::pair::{Layout, PairLoop, RowSums, Rows, correction};
+use crate::pair::{Layout, PairLoop, RowSums, Rows, correction, torque};
 use crate::particles::chunk::{CHUNK, Chunk};
 use crate::particles::columns::Entry;
 use crate::particles::{Life, Registry, Shape};
@@ -86,6 +86,8 @@ pub struct Physics<'a> {
     pub motions: Option<&'a Motions>,
     pub gravity: Option<&'a Attraction>,
     pub cfl: f64,
+    /// Time at the end of the step, s since the start.
+    pub now: f64,
 }
 
 impl Physics<'_> {
@@ -130,7 +132,7 @@ impl Physics<'_> {
             chunk.fetch(start - chunk.range.start..rows_now.end - chunk.range.start);
             self.pair_loop.sum(rows, rows_now, sums);
         }
-        self.find_motion(chunk.range.clone(), rows, workspace);
+        self.find_motion(chunk, rows, workspace);
         for block in &workspace.new_rates {
             block.iter().for_each(|word| word.set(0));
         }
@@ -182,11 +184,11 @@ impl Physics<'_> {
     }
 
     /// Acceleration, velocity gradient and heating of each row.
-    fn find_motion(&self, range: Range<usize>, rows: &Rows, workspace: &mut Workspace) {
+    fn find_motion(&self, chunk: &Chunk, rows: &Rows, workspace: &mut Workspace) {
         let layout = &self.pair_loop.layout;
         let dimension = layout.dimension;
         let stride = layout.stride();
-        for (k, i) in range.enumerate() {
+        for (k, i) in chunk.range.clone().enumerate() {
             let sums = &workspace.sums[k];
             let record = &rows.records[rows.slots[i] as usize * stride..][..stride];
             let inverse_density = 1.0 / record[layout.density()];
@@ -194,7 +196,15 @@ impl Physics<'_> {
                 workspace.acceleration[k * dimension + a] = inverse_density * sums.force[a];
             }
             let raw = gradient(dimension, &sums.gradient);
-            let work = contract(&read_stress(layout, record), &raw);
+            let mut work = contract(&read_stress(layout, record), &raw);
+            if let Some(moments) = &self.packer.moments {
+                let axial = &record[layout.axial()..layout.axial() + layout.axial_words()];
+                work += match dimension {
+                    2 => torque::heating::<2>(axial, &sums.gradient),
+                    _ => torque::heating::<3>(axial, &sums.gradient),
+                };
+                moments.keep(chunk, k, dimension, &sums.moment);
+            }
             let heating = inverse_density * (work + 0.5 * sums.dissipation);
             workspace.motion[k] = Motion { velocity_gradient: self.corrected(layout, &raw, sums), heating };
             workspace.pairs += sums.neighbours as u64;
@@ -217,9 +227,10 @@ impl Physics<'_> {
     fn constrain(&self, motions: &Motions, chunk: &Chunk, workspace: &mut Workspace) -> Option<(f64, usize)> {
         let Workspace { acceleration, new_rates, bodies, .. } = workspace;
         let rates = (&mut acceleration[..], &new_rates[..]);
+        let moving = (self.core.velocity, self.now);
         match self.registry.dimension {
-            2 => motions.constrain::<2>(chunk, self.core.velocity, bodies, rates),
-            _ => motions.constrain::<3>(chunk, self.core.velocity, bodies, rates),
+            2 => motions.constrain::<2>(chunk, moving, bodies, rates),
+            _ => motions.constrain::<3>(chunk, moving, bodies, rates),
         }
     }
 

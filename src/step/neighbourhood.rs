@@ -6,8 +6,10 @@ use super::phases::{Phase, Phases};
 use super::stepper::{Counters, StepSettings};
 use crate::domain::comm::Comm;
 use crate::domain::{Decomposition, Handles, Motion, Space};
+use crate::gravity::ROUNDS;
 use crate::kernel::SUPPORT;
 use crate::material::{BodyConstants, Core};
+use crate::math::Vec3;
 use crate::neighbours::NeighbourList;
 use crate::pair::Layout;
 use crate::particles::{Column, Columns, Lattice, Local, Registry};
@@ -28,6 +30,8 @@ pub struct Neighbourhood<const D: usize> {
     handles: Handles,
     core: Core,
     smoothing_length: Option<(Column<f64>, Column<f64>)>,
+    /// Where the rounds of particles along the periods count.
+    rounds: Option<Column<Vec3>>,
     /// List radius over smoothing length.
     reach: f64,
     space: Space,
@@ -52,6 +56,7 @@ impl<const D: usize> Neighbourhood<D> {
             handles: Handles { id: core.id, position: core.position, build_position: core.build_position },
             core,
             smoothing_length,
+            rounds: registry.find(ROUNDS),
             reach,
             space: Space { lattice: lattice(reach, settings, smoothing_length.is_some()), periods: settings.periods },
             words: settings.pair_loop.layout.words(),
@@ -92,8 +97,13 @@ impl<const D: usize> Neighbourhood<D> {
     fn wrap(&self, columns: &mut Columns) {
         let periods = &self.space.periods;
         for axis in (0..D).filter(|&axis| periods.closed(axis)) {
-            for place in columns.numbers_mut(self.core.position.index).as_chunks_mut::<D>().0 {
-                place[axis] = periods.wrapped(axis, place[axis]);
+            for i in 0..columns.len() {
+                let place = &mut columns.numbers_mut(self.core.position.index)[D * i + axis];
+                let rounds = periods.rounds(axis, *place);
+                *place = periods.wrapped(axis, *place);
+                if let Some(column) = self.rounds {
+                    columns.numbers_mut(column.index)[D * i + axis] += rounds;
+                }
             }
         }
     }

@@ -4,11 +4,11 @@
 use std::ops::Range;
 
 use crate::material::{BodyConstants, Core, fracture, porosity};
-use crate::math::{Deviator, Sym};
+use crate::math::{Deviator, Sym, Vec3};
 use crate::pair::artificial_stress::artificial_stress;
 use crate::pair::record::Viscosity;
-use crate::pair::{Layout, Terms};
-use crate::particles::{Chunk, Column, Columns, Registry};
+use crate::pair::{Layout, Terms, torque};
+use crate::particles::{Chunk, Column, ColumnInfo, Columns, Life, Registry};
 
 /// Columns that records are made of, and per-body numbers.
 #[derive(Debug, Clone)]
@@ -20,12 +20,55 @@ pub struct Packer {
     deviatoric_stress: Option<Column<Deviator>>,
     damage: Option<Column<f64>>,
     smoothing_length: Option<Column<f64>>,
+    /// M of the last evaluation, on its diagonal and beside it, where forces have no torque.
+    pub moments: Option<Moments>,
     constants: Vec<BodyConstants>,
     bodies: Vec<BodyTraits>,
     /// Strength epsilon of the artificial stress.
     epsilon: f64,
     /// Spacing over smoothing length, to the power of the dimension, times two: V_max / h^d.
     most_volume: f64,
+}
+
+/// Columns of the second moment M of each neighbourhood.
+#[derive(Debug, Clone, Copy)]
+pub struct Moments([Column<Vec3>; 2]);
+
+const MOMENTS: [&str; 2] = ["moment_diagonal", "moment_off_diagonal"];
+
+impl Moments {
+    pub fn declare(registry: &mut Registry) {
+        let about =
+            ["Second moment of the neighbourhood: xx, yy, zz.", "The same: xy, xz, yz, in the plane xy and nothing."];
+        for (name, about) in MOMENTS.into_iter().zip(about) {
+            let info = ColumnInfo { name, unit: "", about, life: Life::State, snapshot: false };
+            registry.owner("no_torque").column::<Vec3>(info);
+        }
+    }
+
+    fn find(registry: &Registry) -> Option<Self> {
+        Some(Self([registry.find(MOMENTS[0])?, registry.find(MOMENTS[1])?]))
+    }
+
+    /// Keeps the moments of a chunk's particle, as the pair loop gives them.
+    #[inline]
+    pub fn keep(&self, chunk: &Chunk, k: usize, dimension: usize, m: &[f64; 6]) {
+        let [on, off] = self.0.map(|column| chunk.view(column));
+        match dimension {
+            2 => (on.set(k, Vec3::new(m[0], m[1], 0.0)), off.set(k, Vec3::new(m[2], 0.0, 0.0))),
+            _ => (on.set(k, Vec3::new(m[0], m[1], m[2])), off.set(k, Vec3::new(m[3], m[4], m[5]))),
+        };
+    }
+
+    fn pack(&self, columns: &Columns, i: usize, layout: &Layout, stress: &Sym, record: &mut [f64]) {
+        let [on, off] = self.0.map(|column| columns.get(column, i));
+        let m = Sym { xx: on.x, yy: on.y, zz: on.z, xy: off.x, xz: off.y, yz: off.z };
+        if layout.dimension == 2 {
+            record[layout.axial()] = torque::axial::<2>(stress, &m).z;
+        } else {
+            record[layout.axial()..layout.axial() + 3].copy_from_slice(torque::axial::<3>(stress, &m).as_slice());
+        }
+    }
 }
 
 /// What the material of a body says about records.
@@ -62,6 +105,7 @@ impl Packer {
             deviatoric_stress: registry.find("deviatoric_stress"),
             damage: registry.find("damage"),
             smoothing_length: registry.find("smoothing_length"),
+            moments: Moments::find(registry),
             constants: settings.constants,
             bodies: settings.bodies,
             epsilon: settings.artificial_stress_factor,
@@ -149,6 +193,9 @@ impl Packer {
         }
         let stress = self.damaged_stress(columns, (i, body), pressure);
         write_tensor(layout.dimension, &stress, &mut record[layout.stress()..]);
+        if let Some(moments) = &self.moments {
+            moments.pack(columns, i, layout, &stress, record);
+        }
         if layout.terms.artificial_stress {
             let r = artificial_stress(&stress, self.epsilon);
             write_tensor(layout.dimension, &r, &mut record[layout.artificial()..]);

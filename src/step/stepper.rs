@@ -42,6 +42,9 @@ pub struct StepSettings {
 #[derive(Debug, Clone, Copy, Default, serde::Serialize, serde::Deserialize)]
 pub struct Counters {
     pub steps: u64,
+    /// Since the start, s.
+    #[serde(default)]
+    pub time: f64,
     pub list_builds: u64,
     pub rebisections: u64,
     /// Of this rank.
@@ -139,6 +142,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
     /// particles are left amid the step on every rank, and only a checkpoint leads on.
     pub fn step(&mut self, dt: f64, signal: u32) -> Result<Agreed, Failure> {
         self.counters.steps += 1;
+        self.counters.time += dt;
         if self.resting {
             self.rebuild(false);
         }
@@ -216,7 +220,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
 
     pub(super) fn material_pass(&mut self, work: impl Fn(&Physics, &crate::particles::Chunk, &mut Workspace) + Sync) {
         let (registry, count) = (Arc::clone(&self.columns.registry), self.columns.len());
-        let physics = physics(&self.settings, &registry);
+        let physics = physics(&self.settings, &registry, self.counters.time);
         let chunks = Chunks::new(&mut self.columns, std::mem::take(&mut self.pointers));
         self.workers.each(&self.all, |chunk, workspace| {
             // SAFETY: each chunk is worked on once per pass, and chunks do not overlap.
@@ -294,7 +298,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
 
     fn evaluate_chunks(&mut self, items: &[u32], dt: f64) {
         let (registry, count) = (Arc::clone(&self.columns.registry), self.columns.len());
-        let physics = physics(&self.settings, &registry);
+        let physics = physics(&self.settings, &registry, self.counters.time);
         let rows = Rows {
             records: bytemuck::cast_slice(&self.records),
             offsets: &self.neighbourhood.list.offsets,
@@ -408,7 +412,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
     }
 }
 
-fn physics<'a>(settings: &'a StepSettings, registry: &'a crate::particles::Registry) -> Physics<'a> {
+fn physics<'a>(settings: &'a StepSettings, registry: &'a crate::particles::Registry, now: f64) -> Physics<'a> {
     Physics {
         registry,
         core: &settings.core,
@@ -419,5 +423,6 @@ fn physics<'a>(settings: &'a StepSettings, registry: &'a crate::particles::Regis
         motions: settings.motions.as_ref(),
         gravity: settings.gravity.as_ref(),
         cfl: settings.cfl,
+        now,
     }
 }

@@ -360,7 +360,13 @@ struct ProgramLoop {
 }
 
 fn program_loops(particles: &[Particle], neighbourhoods: [&Neighbourhood; 2]) -> Vec<ProgramLoop> {
-    let gas = Terms { tensor: false, viscosity: Viscosity::SameBeta, artificial_stress: false, correction: false };
+    let gas = Terms {
+        tensor: false,
+        viscosity: Viscosity::SameBeta,
+        artificial_stress: false,
+        correction: false,
+        no_torque: false,
+    };
     let solid = Terms { tensor: true, correction: true, ..gas };
     let tensile = Terms { artificial_stress: true, ..solid };
     let kernel = Kernel::CubicSpline;

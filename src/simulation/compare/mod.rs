@@ -1,6 +1,7 @@
 //! The exact solution that a scene names: made at the start from the scene's own numbers, compared at the end.
 
 pub mod profile;
+pub mod rest;
 pub mod signal;
 pub mod solution;
 
@@ -28,10 +29,11 @@ impl Comparison {
         Ok(Some(Self { reference, title: scene.title.clone() }))
     }
 
-    /// How far the vibration is out, where one is watched; (time, amplitude). Collective.
+    /// How far the vibration is out, where one is watched, or how fast what should rest moves; (time, amplitude). Collective.
     pub fn sample<const D: usize>(&self, stepper: &Stepper<D>, time: f64, comm: &Comm) -> Option<[f64; 2]> {
         match &self.reference {
             Reference::Swing(swing) => Some([time, signal::amplitude(swing, stepper, comm)]),
+            Reference::Rest(rest) => Some([time, rest::speed(rest, stepper, comm)]),
             Reference::Profile(_) | Reference::Turn(_) => None,
         }
     }
@@ -48,6 +50,7 @@ impl Comparison {
         match &self.reference {
             Reference::Profile(profile) => profile::compare(profile, stepper, time, (&self.title, directory), comm),
             Reference::Swing(swing) => signal::compare(swing, samples, (&self.title, directory), comm),
+            Reference::Rest(rest) => rest::compare(rest, stepper, samples, (&self.title, directory), comm),
             Reference::Turn(turn) => {
                 let turns = turn.spin * time / (2.0 * std::f64::consts::PI);
                 let named = |name: &str, value| (name.to_string(), value);

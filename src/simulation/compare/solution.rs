@@ -12,6 +12,7 @@ use crate::material::eos::EosTable;
 use crate::motion::Motion;
 use crate::scene::compare::{Compare, Solution};
 use crate::scene::{Body, Flow, Layer, Scene, Shape};
+use crate::simulation::compare::rest::Rest;
 use crate::simulation::modes::Shape as ModeShape;
 
 /// A solution ready to be compared with.
@@ -19,6 +20,7 @@ pub enum Reference {
     Profile(Profile),
     Swing(Swing),
     Turn(Turn),
+    Rest(Rest),
 }
 
 /// A solution along a coordinate; fields that are no numbers do not count.
@@ -82,6 +84,7 @@ pub fn of(scene: &Scene, compare: &Compare) -> Result<Reference> {
         Solution::Release => impact(scene, within, true).map(Reference::Profile),
         Solution::StandingWave => standing_wave(scene).map(Reference::Swing),
         Solution::Vibration => vibration(scene).map(Reference::Swing),
+        Solution::Rest => Rest::new(scene, compare.after).map(Reference::Rest).ok_or_else(|| needs("gravity")),
         Solution::Rotation => {
             let spin = |body: &Body| body.spin.iter().map(|w| w * w).sum::<f64>().sqrt();
             let spin = scene.bodies.iter().map(spin).fold(0.0, f64::max);

@@ -1,0 +1,131 @@
+//! Forces without torque. A force V_i V_j (sigma_i + sigma_j) gW along a stress tensor is not central, and turns what it acts on: with
+//! M_i = -sum V_j x_ij gW, all forces together exert the torque
+//!
+//! ```text
+//! sum V_i a(sigma_i M_i)           a(A): the axial vector of A - A^T, (A_zy - A_yz, A_xz - A_zx, A_yx - A_xy)
+//! ```
+//! which is nothing inside even matter, where M is 1, but not along surfaces: a pile of blocks at rest begins to turn. An antisymmetric
+//! stress W_i = [w_i]x beside sigma_i takes it away, where (sigma + W) M is symmetric:
+//!
+//! ```text
+//! W M + M W = M sigma - sigma M        (tr(M) - M) w = a(M sigma)
+//! ```
+//! Its force is w x gW. Work against it is counted as heat, and then matter that turns as a whole takes up none. M is that of the
+//! last evaluation, so that angular momentum is kept to the first order of the step, and exactly by what does not move.
+//! |w| is below the shear in sigma.
+
+use super::Pair;
+use crate::math::lanes::Lanes;
+use crate::math::{Sym, Vec3};
+
+/// w, Pa, of a particle with this stress and M. In 2D along z, and only xx, yy, xy count. Zero where M says nothing.
+pub fn axial<const D: usize>(s: &Sym, m: &Sym) -> Vec3 {
+    if D == 2 {
+        let trace = m.xx + m.yy;
+        let product = |a: &Sym, b: &Sym| (a.xy * b.xx + a.yy * b.xy) - (a.xx * b.xy + a.xy * b.yy);
+        return Vec3::new(0.0, 0.0, if trace > 0.0 { product(m, s) / trace } else { 0.0 });
+    }
+    let product = m.to_matrix() * s.to_matrix();
+    let a = Vec3::new(
+        product[(2, 1)] - product[(1, 2)],
+        product[(0, 2)] - product[(2, 0)],
+        product[(1, 0)] - product[(0, 1)],
+    );
+    let n = Sym { xx: m.yy + m.zz, yy: m.xx + m.zz, zz: m.xx + m.yy, xy: -m.xy, xz: -m.xz, yz: -m.yz };
+    solved(&n, &a)
+}
+
+/// x of n x = a by Cramer's rule; zero where n is singular.
+fn solved(n: &Sym, a: &Vec3) -> Vec3 {
+    let xx = n.yy * n.zz - n.yz * n.yz;
+    let yy = n.xx * n.zz - n.xz * n.xz;
+    let zz = n.xx * n.yy - n.xy * n.xy;
+    let xy = n.xz * n.yz - n.xy * n.zz;
+    let xz = n.xy * n.yz - n.xz * n.yy;
+    let yz = n.xy * n.xz - n.yz * n.xx;
+    let det = n.xx * xx + n.xy * xy + n.xz * xz;
+    // Neighbours on one line leave an eigenvalue of n without meaning.
+    if det < LEAST * n.trace().powi(3) || det <= 0.0 {
+        return Vec3::zeros();
+    }
+    let f = 1.0 / det;
+    Vec3::new(xx * a.x + xy * a.y + xz * a.z, xy * a.x + yy * a.y + yz * a.z, xz * a.x + yz * a.y + zz * a.z) * f
+}
+
+/// Least determinant over the cube of the trace; 1/27 in even matter.
+const LEAST: f64 = 1e-4;
+
+/// W : L, W/m^3, for the uncorrected gradient L, row by row.
+pub fn heating<const D: usize>(w: &[f64], l: &[f64]) -> f64 {
+    if D == 2 {
+        return w[0] * (l[2] - l[1]);
+    }
+    w[0] * (l[7] - l[5]) + w[1] * (l[2] - l[6]) + w[2] * (l[3] - l[1])
+}
+
+/// Adds (w_i + w_j) x g to `force`; `i` and `j` hold w: z alone in 2D.
+///
+/// # Safety
+/// As for [`Lanes`].
+#[inline(always)]
+pub unsafe fn add_force<L: Lanes, const D: usize>(i: &[L], j: &[L], pair: &Pair<L, D>, force: &mut [L; D]) {
+    unsafe {
+        let g = &pair.gradient;
+        if D == 2 {
+            let w = i[0].add(j[0]);
+            force[0] = w.fnma(g[1], force[0]);
+            force[1] = w.fma(g[0], force[1]);
+        } else {
+            let (x, y, z) = (i[0].add(j[0]), i[1].add(j[1]), i[2].add(j[2]));
+            force[0] = z.fnma(g[1], y.fma(g[2], force[0]));
+            force[1] = x.fnma(g[2], z.fma(g[0], force[1]));
+            force[2] = y.fnma(g[0], x.fma(g[1], force[2]));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Mat3;
+    use crate::random::uniform;
+
+    fn any(seed: u64, low: f64) -> Sym {
+        let d = |k: u64| uniform(seed, k, 0);
+        Sym { xx: low + d(0), yy: low + d(1), zz: low + d(2), xy: d(3) - 0.5, xz: d(4) - 0.5, yz: d(5) - 0.5 }
+    }
+
+    fn cross(w: &Vec3) -> Mat3 {
+        Mat3::new(0.0, -w.z, w.y, w.z, 0.0, -w.x, -w.y, w.x, 0.0)
+    }
+
+    /// (sigma + W) M is symmetric, rigid rotation does no work, and even neighbourhoods need no W.
+    #[test]
+    fn no_torque_is_left() {
+        for seed in 0..50 {
+            let (s, m) = (any(seed, -0.5), any(seed + 1000, 1.5));
+            let w = axial::<3>(&s, &m);
+            let t = s.to_matrix() + cross(&w);
+            let left = t * m.to_matrix();
+            assert!((left - left.transpose()).norm() < 1e-14, "{left}");
+            let l = cross(&Vec3::new(0.3, -0.2, 0.7)) * m.to_matrix();
+            let rows: Vec<f64> = (0..9).map(|k| l[(k / 3, k % 3)]).collect();
+            let work = s.to_matrix().component_mul(&l).sum() + heating::<3>(w.as_slice(), &rows);
+            assert!(work.abs() < 1e-14, "{work}");
+            let plane = |t: &Sym| Sym { zz: 0.0, xz: 0.0, yz: 0.0, ..*t };
+            let (s, m) = (plane(&s), plane(&m));
+            let w = axial::<2>(&s, &m);
+            let left = (s.to_matrix() + cross(&w)) * m.to_matrix();
+            assert!((left - left.transpose()).norm() < 1e-14, "{left}");
+            let l = cross(&Vec3::z()) * m.to_matrix();
+            let rows = [l[(0, 0)], l[(0, 1)], l[(1, 0)], l[(1, 1)]];
+            let work = s.to_matrix().component_mul(&l).sum() + heating::<2>(&[w.z], &rows);
+            assert!(work.abs() < 1e-14, "{work}");
+        }
+        let even = Sym { xx: 0.9, yy: 0.9, zz: 0.9, ..Sym::ZERO };
+        assert_eq!(axial::<3>(&any(1, 0.0), &even), Vec3::zeros());
+        for few in [Sym::ZERO, Sym { xx: 1.0, ..Sym::ZERO }] {
+            assert!(axial::<3>(&any(1, 0.0), &few).norm() <= 2.0 * any(1, 0.0).to_matrix().norm());
+        }
+    }
+}
