@@ -10,6 +10,11 @@ RHO_ALPHA = ["material.{}.porosity.p_alpha=false", "material.{}.porosity.rho_alp
 SOLID_ICE = ["material.ice.porosity=false", 'material.ice.eos.tillotson.rho_0="305.67 kg/m^3"', "material.ice.viscosity.speed=sound"]
 
 
+# Ground that holds tension as the crystal does, and ground that holds none.
+WHOLE = [f"{body}.damage=0" for body in ("near", "middle", "far")]
+BROKEN = [f"{body}.damage=1" for body in ("near", "far")]
+
+
 def of(material, settings):
     return [setting.format(material) for setting in settings]
 
@@ -18,16 +23,24 @@ DEEP_IMPACT_VARIANTS = {
     "P-alpha": [],
     "rho-alpha": of("ice", RHO_ALPHA),
     "solid": SOLID_ICE,
+    "P-alpha, holds tension": WHOLE,
+    "solid, holds tension": [*SOLID_ICE, *WHOLE],
     "P-alpha, P_e = 0.5 MPa": ['material.ice.porosity.p_alpha.quadratic.P_e="0.5 MPa"'],
 }
-# What is run at one spacing only, cm.
-ONCE = {"P-alpha, P_e = 0.5 MPa": 40}
+# Of what is not run at all spacings, those at which it is, cm.
+ONLY = {
+    "rho-alpha": DEEP_IMPACT[:2],
+    "P-alpha, P_e = 0.5 MPa": [40],
+}
 COMPACTION_VARIANTS = {
     "P-alpha": [],
     "rho-alpha": of("basalt", RHO_ALPHA),
     "epsilon-alpha": of("basalt", ["material.{}.porosity.p_alpha=false", "material.{}.porosity.epsilon_alpha=true"]),
     "P-alpha, soft": of("basalt", ['material.{}.porosity.p_alpha.quadratic.P_s="10 MPa"']),
 }
+LAWS = list(COMPACTION_VARIANTS)
+for law in LAWS:
+    COMPACTION_VARIANTS[f"{law}, broken"] = COMPACTION_VARIANTS[law] + BROKEN
 
 
 def deep_impact(variant, spacing):
@@ -42,7 +55,7 @@ def compaction(variant, spacing):
 
 
 def slug(variant):
-    return variant.replace(", ", "_").replace("-", "_").replace(" = ", "_").replace(" ", "")
+    return variant.replace(", ", "_").replace("-", "_").replace(" = ", "_").replace(" ", "_")
 
 
 # Core-seconds of the coarsest run of a scene, as measured; halving the spacing takes ten times as long, with twice the steps.
@@ -55,8 +68,15 @@ def price(scene, spacing):
     return COARSEST[scene] * (coarsest / spacing) ** 3.3
 
 
+def spacings(scene, variant):
+    """At which a variant is run, cm."""
+    if scene == "deep_impact":
+        return ONLY.get(variant, DEEP_IMPACT)
+    return COMPACTION[:1] if variant.endswith("broken") else COMPACTION
+
+
 def all_runs():
     """(run, predicted core-seconds), the cheapest first."""
-    found = [(deep_impact(v, s), price("deep_impact", s)) for v in DEEP_IMPACT_VARIANTS for s in DEEP_IMPACT if ONCE.get(v, s) == s]
-    found += [(compaction(v, s), price("compaction", s)) for v in COMPACTION_VARIANTS for s in COMPACTION]
+    found = [(deep_impact(v, s), price("deep_impact", s)) for v in DEEP_IMPACT_VARIANTS for s in spacings("deep_impact", v)]
+    found += [(compaction(v, s), price("compaction", s)) for v in COMPACTION_VARIANTS for s in spacings("compaction", v)]
     return sorted(found, key=lambda pair: pair[1])
