@@ -23,11 +23,13 @@ RESTING = {
     "ball, twice the particles": ("ball_fine", "rest_sphere.toml", ["ball.particles=16000"]),
     "pile of sand, 5 mm": ("pile", "rest_pile.toml", []),
     "pile of sand, 2.5 mm": ("pile_fine", "rest_pile.toml", ["sand.spacing=0.0025", "floor.spacing=0.0025"]),
+    "rubble pile, half the particles": ("rubble_coarse", "rest_rubble.toml", ["pile.particles=1000"]),
     "rubble pile": ("rubble", "rest_rubble.toml", []),
     "rubble pile, twice the particles": ("rubble_fine", "rest_rubble.toml", ["pile.particles=4000"]),
 }
 WITHOUT = {
-    "rubble pile whose forces exert a torque": ("rubble_turning", "rest_rubble.toml", ["numerics.angular_momentum=false"]),
+    "rubble pile, half the particles, whose forces exert a torque": ("rubble_turning_coarse", "rest_rubble.toml", ["pile.particles=1000", "numerics.angular_momentum=false"]),
+    "rubble pile whose forces exert a torque: it turns, ever faster": ("rubble_turning", "rest_rubble.toml", ["numerics.angular_momentum=false"]),
     "ball that starts without load": ("ball_unloaded", "rest_sphere.toml", ["ball.start=unloaded"]),
     "pile that is not damped at first": ("pile_undamped", "rest_pile.toml", ["sand.motion=false"]),
     "pile without friction (damage weakens shear)": ("pile_smooth", "rest_pile.toml", ["material.sand.strength.drucker_prager=false"]),
@@ -114,7 +116,8 @@ What it takes; each of these moves:
 bounds sqrt(J2) by mu P. Along such a slope nothing stretches (plane strain, and no place differs from any other), so that plastic flow is
 pure shear and turns the deviator until the shear stress is its only component: normal stresses are then all P, in the plane and
 across it, and the slope slides where tan(angle) = mu, whatever the stress was at first. It is *not* the angle whose sine is mu, for which a
-plane with free normal stresses would take it. A slope slides here if it is faster at the end, half a second, than at half of it by a fifth, and above {5 * STILL:g}.
+plane with free normal stresses would take it. A slope slides here if it is faster at the end, half a second, than at half of it by a fifth, and above {5 * STILL:g};
+within some tenths of a degree of its angle it goes on at about the speed that it has got at the start, when the tilt sets in at once.
 
 {page.table(["friction mu", "spacing", "begins to slide at, deg", "atan(mu)", "asin(mu)"], angles)}
 
