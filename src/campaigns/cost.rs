@@ -15,6 +15,7 @@ use crate::particles::Life;
 use crate::particles::columns::Entry;
 use crate::scene::{Precision, Scene, Until};
 use crate::simulation::footprint::Footprint;
+use crate::simulation::late::free_fall_time;
 use crate::simulation::setup::{self, Plan};
 use crate::simulation::{report, resources};
 use crate::step::time_step;
@@ -154,6 +155,7 @@ fn load(scene: &Scene, plan: &Plan, footprint: &Footprint, (ranks, life): (usize
         watch_bytes: watch,
         build_bytes: footprint.ghosts * (site + skin * plan.registry.bytes_per_particle() as f64),
         history_every: scene.output.history_every as f64,
+        gravity: Course::new(scene, plan).evaluations_per_step(),
     }
 }
 
@@ -228,12 +230,8 @@ struct Run<'a> {
 
 impl<'a> Run<'a> {
     fn new(scene: &'a Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, (cost, ranks): (&Step, usize)) -> Self {
-        let (first, limiting) = step(scene, plan, 0.0);
-        // Shocks of an impact close in with about its speed, in some particle or other until the end.
-        let dt = scene.impact.as_ref().map_or(first, |impact| step(scene, plan, impact.speed).0);
-        let (end, why) = end(scene);
-        let steps = (end / dt).ceil().min(scene.run.steps.map_or(f64::INFINITY, |most| most as f64));
-        let (files, bytes) = output(scene, plan, footprint.particles, (end.min(steps * dt), steps * cost.wall()));
+        let Course { first, limiting, dt, end, why, steps, .. } = Course::new(scene, plan);
+        let (files, bytes) = output(scene, plan, footprint.particles, (end, steps * cost.wall()));
         let writing = bytes / pace.machine.files;
         let inside = libm::pow(1.0 + scene.numerics.skin, -(scene.dimension as f64));
         let price = Price {
@@ -247,6 +245,67 @@ impl<'a> Run<'a> {
     }
 }
 
+/// The steps of a run, as far as they can be known.
+struct Course<'a> {
+    first: f64,
+    limiting: &'a str,
+    dt: f64,
+    /// s of simulated time.
+    end: f64,
+    why: String,
+    steps: f64,
+    /// Of the particles' own gravity.
+    evaluations: f64,
+}
+
+impl<'a> Course<'a> {
+    fn new(scene: &'a Scene, plan: &Plan) -> Self {
+        let (first, limiting) = step(scene, plan, 0.0);
+        // Shocks of an impact close in with about its speed, in some particle or other until the end.
+        let dt = scene.impact.as_ref().map_or(first, |impact| step(scene, plan, impact.speed).0);
+        let (end, why) = end(scene);
+        let switch = late_time(scene).map_or(end, |at| at.min(end));
+        let soft = soft_step(scene, plan).unwrap_or(dt);
+        let interval = plan.gravity.and_then(|gravity| gravity.own).map_or(f64::INFINITY, |own| own.interval);
+        let parts = [(switch, dt), (end - switch, soft)];
+        let evaluations = parts.map(|(time, dt)| time / interval.max(dt)).iter().sum::<f64>();
+        let steps = (switch / dt + (end - switch) / soft).ceil();
+        let most = scene.run.steps.map_or(f64::INFINITY, |most| most as f64);
+        if steps <= most {
+            return Self { first, limiting, dt, end, why, steps, evaluations };
+        }
+        let (end, evaluations) = (end.min(most * dt), evaluations * most / steps);
+        Self { first, limiting, dt, end, why, steps: most, evaluations }
+    }
+
+    fn evaluations_per_step(&self) -> f64 {
+        self.evaluations / self.steps
+    }
+}
+
+/// When the late stage begins, s, if there is one: at the earliest, where that is to be seen.
+fn late_time(scene: &Scene) -> Option<f64> {
+    match scene.late_stage?.at {
+        Until::Time(at) => Some(at),
+        Until::Settled => Some(earliest_settled(scene)),
+    }
+}
+
+fn earliest_settled(scene: &Scene) -> f64 {
+    Settled::new(report::first_contact(scene), report::crossing(scene), 0.0).earliest()
+}
+
+/// The step of soft matter at rest, s.
+fn soft_step(scene: &Scene, plan: &Plan) -> Option<f64> {
+    let late = scene.late()?;
+    let steps = plan.constants.iter().zip(&scene.bodies).zip(&late.0).map(|((constants, body), softening)| {
+        let viscosity = scene.materials[body.material].viscosity_coefficients().unwrap_or_default();
+        let sound = softening.longitudinal_sound();
+        time_step::cfl(scene.numerics.cfl, constants.smoothing_length, sound, viscosity.into(), 0.0)
+    });
+    Some(steps.fold(f64::INFINITY, f64::min))
+}
+
 fn time(scene: &Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, (cost, ranks): (&Step, usize)) -> String {
     let run = Run::new(scene, plan, footprint, pace, (cost, ranks));
     let mut text = String::new();
@@ -256,7 +315,9 @@ fn time(scene: &Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, (cost, r
     line("first step", format!("{} s, by the CFL condition in body {}", number(run.first), run.limiting));
     line("end", format!("{} s, {}", number(run.end), run.why));
     let limit = if scene.impact.is_some() { "the CFL condition at the speed of impact" } else { "the first" };
-    line("steps", format!("{:.0}, were all of {} s as {limit} allows", run.price.steps, number(run.dt)));
+    let soft = late_time(scene).zip(soft_step(scene, plan));
+    let soft = soft.map(|(at, dt)| format!(", from {} s on of {} s", number(at), number(dt))).unwrap_or_default();
+    line("steps", format!("{:.0}, were all of {} s as {limit} allows{soft}", run.price.steps, number(run.dt)));
     line("updates per core-second", format!("{:.2e}", footprint.owned / cost.work()));
     let rate = format!("{} per second, {}", size(pace.machine.files), pace.files_by);
     line("output", format!("{}: {}, {} at {rate}", run.files, size(run.bytes), duration(run.writing)));
@@ -303,8 +364,13 @@ fn step<'a>(scene: &'a Scene, plan: &Plan, approach: f64) -> (f64, &'a str) {
 fn end(scene: &Scene) -> (f64, String) {
     let (end, why) = match scene.run.until {
         Until::Time(end) => (end, "run.until".to_string()),
+        Until::Settled if scene.reaccumulates() => {
+            let fall = free_fall_time(scene);
+            let why = "if gravity has done its work as early as it may, a free-fall time after the shock";
+            (earliest_settled(scene) + fall, why.to_string())
+        }
         Until::Settled => {
-            let settled = Settled::new(report::first_contact(scene), report::crossing(scene), 0.0).earliest();
+            let settled = earliest_settled(scene);
             (
                 2.0 * settled,
                 format!(

@@ -1,7 +1,7 @@
 //! What a step costs on any number of ranks: counts, known from the scene, times what each of them takes, measured.
 //!
 //! ```text
-//! work    = owned entries pair  +  owned update  +  owned totals / history_every
+//! work    = owned entries pair  +  owned update  +  owned totals / history_every  +  owned gravity evaluations
 //!         + ( owned entries list  +  (owned + ghosts) ordering ) / life
 //! ghosts  : messages of a step, peers latency + bytes / bandwidth, less the time of the rows that need no ghost;
 //!           the watch of the lists, likewise, hidden by nothing; what goes out when lists are built, over their life
@@ -9,7 +9,7 @@
 //! uneven  : the load that a rank may have over the mean before planes are moved, half of it on the mean
 //! ```
 //!
-//! Left out: what network links that ranks share give to each (say it with the bandwidth), noise of the system, and the
+//! Left out: messages of gravity, and what a rank opens of other ranks' branches; what network links that ranks share give to each (say it with the bandwidth), noise of the system, and the
 //! search for ranks nearby, which takes nanoseconds for each rank of the job.
 
 /// What one core and the network take.
@@ -25,6 +25,8 @@ pub struct Machine {
     pub ordering: f64,
     /// s for an owned particle when totals are taken for the history.
     pub totals: f64,
+    /// s for an owned particle when the particles' own gravity is evaluated, on one rank; zero without it.
+    pub gravity: f64,
     /// s for a short message between two ranks.
     pub latency: f64,
     /// bytes/s of long messages of one rank.
@@ -51,6 +53,8 @@ pub struct Load {
     pub watch_bytes: f64,
     pub build_bytes: f64,
     pub history_every: f64,
+    /// Evaluations of gravity in a step.
+    pub gravity: f64,
 }
 
 /// Reductions of each step: how much of the skin is used up, and the time step.
@@ -68,6 +72,7 @@ pub struct Step {
     pub lists: f64,
     pub ordering: f64,
     pub totals: f64,
+    pub gravity: f64,
     /// Waits for messages that no work hides.
     pub messages: f64,
     pub reductions: f64,
@@ -82,6 +87,7 @@ impl Step {
         let lists = load.owned * load.entries * machine.list / load.life;
         let ordering = (load.owned + load.ghosts) * machine.ordering / load.life;
         let totals = load.owned * machine.totals / load.history_every;
+        let gravity = load.owned * machine.gravity * load.gravity;
         let sent = |bytes: f64| load.peers * machine.latency + bytes / machine.bandwidth;
         // A ghost layer outside has one inside, whose rows come last.
         let interior = (1.0 - load.ghosts / load.owned).max(0.0);
@@ -89,14 +95,14 @@ impl Step {
         let messages = exposed + sent(load.watch_bytes) + sent(load.build_bytes) / load.life;
         let rounds = (load.ranks as f64).log2().ceil();
         let reductions = rounds * machine.latency * (REDUCTIONS + ROUNDS_OF_BUILD / load.life);
-        let work = pairs + update + lists + ordering + totals;
+        let work = pairs + update + lists + ordering + totals + gravity;
         let uneven = if load.ranks > 1 { 0.5 * TOLERATED_IMBALANCE * work } else { 0.0 };
-        Self { pairs, update, lists, ordering, totals, messages, reductions, uneven }
+        Self { pairs, update, lists, ordering, totals, gravity, messages, reductions, uneven }
     }
 
     /// s that the core of a rank works.
     pub fn work(&self) -> f64 {
-        self.pairs + self.update + self.lists + self.ordering + self.totals
+        self.pairs + self.update + self.lists + self.ordering + self.totals + self.gravity
     }
 
     /// s from one step to the next.
@@ -105,13 +111,14 @@ impl Step {
     }
 
     /// Each part with its name.
-    pub fn parts(&self) -> [(&'static str, f64); 8] {
+    pub fn parts(&self) -> [(&'static str, f64); 9] {
         [
             ("pairs, rates, correction", self.pairs),
             ("prediction, material, packing", self.update),
             ("neighbour lists", self.lists),
             ("owners, order, ghosts", self.ordering),
             ("totals", self.totals),
+            ("gravity of the particles", self.gravity),
             ("exposed messages", self.messages),
             ("reductions", self.reductions),
             ("uneven loads", self.uneven),
@@ -134,6 +141,7 @@ mod tests {
         list: 1e-8,
         ordering: 5e-7,
         totals: 1e-7,
+        gravity: 2e-6,
         latency: 2e-6,
         bandwidth: 1e10,
         files: 1e9,
@@ -155,6 +163,7 @@ mod tests {
             watch_bytes: 8.0 * ghosts,
             build_bytes: 40.0 * ghosts,
             history_every: 10.0,
+            gravity: 0.0,
         }
     }
 
@@ -171,6 +180,9 @@ mod tests {
         let particle = 75e-8 + 1e-7 + 25e-8 + 5e-7 / 3.0 + 1e-8;
         assert!((alone.work() / (1e5 * particle) - 1.0).abs() < 1e-12);
         assert_eq!(alone.parts().iter().map(|part| part.1).sum::<f64>(), alone.wall());
+        // Gravity in every fourth step.
+        let pulled = Step::new(&MACHINE, &Load { gravity: 0.25, ..load(1e5, 1) });
+        assert!(((pulled.work() - alone.work()) / (1e5 * 5e-7) - 1.0).abs() < 1e-9);
     }
 
     #[test]

@@ -28,14 +28,17 @@ const FEWEST_STEPS: usize = 16;
 const MOTION: f64 = 0.1;
 const MOVING: u64 = 8;
 const SEED: u64 = 1;
-/// Phases of the step that scale alike: pairs, update, lists, ordering and totals of the model.
-const PARTS: [&[Phase]; 5] = [
+/// Phases of the step that scale alike: pairs, update, lists, ordering, totals and gravity of the model.
+const PARTS: [&[Phase]; 6] = [
     &[Phase::Pairs],
     &[Phase::Predict, Phase::Watch, Phase::Pack],
     &[Phase::Lists],
     &[Phase::Migration],
     &[Phase::Diagnostics],
+    &[Phase::Gravity],
 ];
+/// Steps from one evaluation of gravity to the next, while it is timed.
+const GRAVITY_EVERY: f64 = 4.5;
 /// A network between machines as clusters have it, s and bytes/s, where nothing is measured or said.
 const NETWORK: (f64, f64) = (2e-6, 5e9);
 /// Bytes written to see how fast files are, and bytes/s where nothing can be written.
@@ -91,6 +94,9 @@ fn measure_in<const D: usize>(
     let mut dt = stepper.start().map_err(told)?.dt;
     // What comes once, as memory that is touched for the first time, does not count.
     times.leave_out(&stepper.phases);
+    if let Some(own) = stepper.settings.gravity.as_mut().and_then(|gravity| gravity.own.as_mut()) {
+        own.interval = GRAVITY_EVERY * dt;
+    }
     for _ in 0..count {
         dt = stepper.step(dt, 0).map_err(told)?.dt;
         stepper.totals();
@@ -100,7 +106,7 @@ fn measure_in<const D: usize>(
     let owned = particles as f64;
     let mut sums = times.of_parts().map(|seconds| (1e9 * seconds) as i64);
     comm.all_sum(&mut sums);
-    let [pairs, update, lists, ordering, totals] = sums.map(|sum| 1e-9 * sum as f64 / comm.size() as f64);
+    let [pairs, update, lists, ordering, totals, gravity] = sums.map(|sum| 1e-9 * sum as f64 / comm.size() as f64);
     let (network, network_by) = match (network, comm.network()) {
         (Some(given), _) => (given, "as given"),
         (None, Some(measured)) => (measured, "measured between the first rank and the last"),
@@ -115,6 +121,7 @@ fn measure_in<const D: usize>(
         list: lists / entries,
         ordering: ordering / owned,
         totals: totals / owned,
+        gravity: gravity / owned,
         latency: network.0,
         bandwidth: network.1,
         files: files.unwrap_or(FILES),

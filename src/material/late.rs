@@ -94,6 +94,12 @@ impl Softening {
         self.after().bulk / self.rho_0
     }
 
+    /// Longitudinal speed of sound, m/s.
+    pub fn longitudinal_sound(&self) -> f64 {
+        let after = self.after();
+        ((after.bulk + 4.0 / 3.0 * after.shear) / self.rho_0).sqrt()
+    }
+
     /// P = A' (rho / rho_0 - 1) of the matrix.
     pub fn law(&self) -> Eos {
         Eos::SimplifiedTillotson(SimplifiedTillotson::new(&SimplifiedTillotsonTable {

@@ -32,7 +32,7 @@ struct RawOwnGravity {
 
 impl Default for RawOwnGravity {
     fn default() -> Self {
-        Self { accuracy: Number::new(0.01), interval: Number::new(1e-3) }
+        Self { accuracy: Number::new(0.01), interval: Number::new(3e-3) }
     }
 }
 
