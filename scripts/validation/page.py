@@ -18,7 +18,7 @@ Written by `scripts/validate`: each block below by the file of its name in `scri
 follows from runs of scenes of `inputs/`; nothing is edited by hand. `tests/exact.rs` and `tests/compaction.rs` run a small version of each
 case.
 
-Other pages: [fracture](fracture.md) (`scripts/validate_fracture`), [craters](craters.md) (`scripts/validate_craters`), [disruption thresholds](q_star.md) (`scripts/q_star`),
+Other pages: [fracture](fracture.md) (`scripts/validate_fracture`), [craters](craters.md) (`scripts/validate_craters`), [disruption thresholds](q_star.md) (`scripts/q_star`), [campaigns](campaigns.md) (`scripts/validate_campaigns`),
 [speed](bench.md) (`scripts/bench`), [scaling and predictions](cluster.md) (`scripts/bench_cluster`).
 """
 

@@ -125,7 +125,8 @@ fn reach_out(points: &[Point], rules: &Rules) -> Next {
     let by_q = |a: &&Point, b: &&Point| a.q.total_cmp(&b.q);
     let nearest = if is_above { points.iter().max_by(by_q) } else { points.iter().min_by(by_q) }.unwrap_or(last);
     let (end, limit) = if is_above { (End::NeverDisrupted, most) } else { (End::AlwaysDisrupted, least) };
-    if points.len() >= rules.max_impacts || nearest.q == limit {
+    // Q goes through the projectile's radius and comes back rounded.
+    if points.len() >= rules.max_impacts || (nearest.q / limit - 1.0).abs() < 1e-9 {
         return Next::Done(end);
     }
     let law = HALF / (1.0 - nearest.remnant).max(1e-3);

@@ -14,7 +14,7 @@ import page
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 RUNS = ROOT / "runs" / "campaigns"
-CAMPAIGNS = ["strength", "strength_speed", "strength_resolution", "radius"]
+CAMPAIGNS = ["strength", "strength_viscosity", "strength_speed", "strength_resolution", "radius"]
 HEAD = """# Campaigns: Q*_D over radius and strength
 
 Written by `scripts/validate_campaigns`, which runs `inputs/campaigns/`: impacts at 45 degrees from the normal, 2e4 particles unless said
@@ -120,6 +120,14 @@ def by_scene(rows):
     return page.table(head, lines)
 
 
+def by_viscosity(rows):
+    """Families of strength_viscosity are `alpha 0.1, friction`."""
+    alphas = list(dict.fromkeys(row["family"].split(", ")[0] for row in rows))
+    head = ["viscosity", *(name for name, *_ in FACTORS[:2])]
+    lines = [[alpha, *(words(quotient(one(rows, f"{alpha}, {a}"), one(rows, f"{alpha}, {b}"))) for _, a, b in FACTORS[:2])] for alpha in alphas]
+    return page.table(head, lines)
+
+
 def without_scene(rows):
     """Families of strength_speed have the scene's label at their end."""
     known = ["friction, pores", "friction, as light", "no friction", "friction"]
@@ -172,6 +180,9 @@ def main():
     if strength := there("strength"):
         parts.append("## What strength, friction, pores and cohesion do (Jutzi 2015)\n\n" + statements(strength))
         parts.append(thresholds(strength))
+    if rows := there("strength_viscosity"):
+        parts.append("## Friction and pores: artificial viscosity, 10 km, 5 km/s\n\n" + by_viscosity(rows))
+        parts.append(thresholds(rows))
     if rows := without_scene(there("strength_speed")):
         parts.append("## Friction and pores: speed and size\n\n" + by_scene(rows))
         parts.append(thresholds(there("strength_speed")))
