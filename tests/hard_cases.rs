@@ -323,39 +323,53 @@ artificial_stress = true
 until = 1
 "#;
 
-/// Largest acceleration, largest departure from straight flight, share of kinetic energy left, drift of momentum.
-fn pull_apart(damage: &str, changes: &[&str], comm: &sph_mpi::domain::comm::Comm) -> [f64; 4] {
+/// Largest acceleration, largest departure from straight flight, share of kinetic energy left, drift of momentum, least distance over the
+/// first.
+fn pull_apart(damage: &str, changes: &[&str], comm: &sph_mpi::domain::comm::Comm) -> [f64; 5] {
     let mut hand = ByHand::<3>::with(&BLOCK.replace("DAMAGE", damage), changes, comm, |_, _, _| {});
     let flight = |hand: &ByHand<3>, i: usize| (hand.position(i), hand.velocity(i));
     let start: HashMap<u64, (Vec3, Vec3)> = hand.particles().map(|i| (hand.id(i), flight(&hand, i))).collect();
     let before = hand.stepper.totals();
+    let near = nearest(&hand);
     let mut strongest = 0.0f64;
-    hand.run(5e-3, |hand| strongest = hand.particles().map(|i| hand.acceleration(i).norm()).fold(strongest, f64::max));
+    let mut tension = 0.0f64;
+    hand.run(5e-3, |hand| {
+        strongest = hand.particles().map(|i| hand.acceleration(i).norm()).fold(strongest, f64::max);
+        tension = hand.numbers("pressure").iter().copied().fold(tension, f64::min);
+    });
     let after = hand.stepper.totals();
     let off = |i: usize| {
         let (x, v) = start[&hand.id(i)];
         (hand.position(i) - x - hand.time * v).norm()
     };
     let momentum = (after.momentum - before.momentum).norm() / after.momentum_scale;
-    [strongest, hand.particles().map(off).fold(0.0, f64::max), after.kinetic / before.kinetic, momentum]
+    assert!(tension < -1e6, "the crystal would pull: {tension} Pa");
+    let off = hand.particles().map(off).fold(0.0, f64::max);
+    [strongest, off, after.kinetic / before.kinetic, momentum, nearest(&hand) / near]
 }
 
 /// Broken rock has no tension: its particles part on straight lines. Were the pressure of tension not damaged, they would be
 /// held with 6e5 m/s^2 and lose 99 % of their kinetic energy, nearly as rock that is whole. So with friction, and with damage that
-/// is no column but the body's.
+/// is no column but the body's. None come together: what is stretched least, by a tenth, is then the nearest.
 #[test]
 fn broken_matter_parts_ballistically() {
     ranks(1, "hard_cases::broken_matter_parts_ballistically", |comm| {
         let friction = "material.basalt.strength.collins=true";
-        for changes in [&[][..], &[friction], &[friction, "material.basalt.fracture=false"]] {
-            let [a, off, kinetic, momentum] = pull_apart("1", changes, comm);
-            println!("broken: {a:.1e} m/s^2, {off:.1e} m off, {kinetic:.6} of the energy, momentum {momentum:.1e}");
+        let sand = "material.basalt.strength.drucker_prager={ cohesion = 0, friction = 0.6 }";
+        for changes in [&[][..], &[friction], &[friction, "material.basalt.fracture=false"], &[sand]] {
+            let [a, off, kinetic, momentum, near] = pull_apart("1", changes, comm);
+            println!(
+                "broken: {a:.1e} m/s^2, {off:.1e} m off, {kinetic:.6} of the energy, momentum {momentum:.1e}, {near:.4}"
+            );
+            assert!(near > 1.1 * (1.0 - 1e-12), "{changes:?}");
             // 800 roundings of positions of 1 m.
             assert!(a == 0.0 && off < 1e-13 && (kinetic - 1.0).abs() < 1e-13 && momentum < 1e-15, "{changes:?}");
         }
-        let [a, off, kinetic, momentum] = pull_apart("0", &[], comm);
-        println!("whole: {a:.1e} m/s^2, {off:.1e} m off, {kinetic:.6} of the energy, momentum {momentum:.1e}");
-        assert!(a > 1e5 && kinetic < 0.5 && momentum < 1e-14, "whole rock holds together");
+        let [a, off, kinetic, momentum, near] = pull_apart("0", &[], comm);
+        println!(
+            "whole: {a:.1e} m/s^2, {off:.1e} m off, {kinetic:.6} of the energy, momentum {momentum:.1e}, {near:.4}"
+        );
+        assert!(a > 1e5 && kinetic < 0.5 && momentum < 1e-14 && near < 1.0, "whole rock holds together");
     });
 }
 

@@ -18,6 +18,7 @@ mod hard_cases;
 mod hard_neighbours;
 mod hard_pores;
 mod hard_pores_shocks;
+mod hard_rubble;
 mod late_stage;
 mod nbody;
 mod output;

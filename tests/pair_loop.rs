@@ -88,15 +88,24 @@ impl Cloud {
 }
 
 fn all_terms() -> Vec<Terms> {
+    let plain = Terms {
+        tensor: false,
+        viscosity: Viscosity::Off,
+        artificial_stress: false,
+        correction: false,
+        no_torque: false,
+        contrast: false,
+    };
     let mut all = Vec::new();
     for viscosity in [Viscosity::Off, Viscosity::SameBeta, Viscosity::OwnBeta] {
         for (tensor, artificial_stress) in [(false, false), (true, false), (true, true)] {
             for correction in [false, true] {
-                all.push(Terms { tensor, viscosity, artificial_stress, correction, no_torque: false });
+                all.push(Terms { tensor, viscosity, artificial_stress, correction, ..plain });
             }
         }
-        let correction = true;
-        all.push(Terms { tensor: true, viscosity, artificial_stress: false, correction, no_torque: true });
+        let corrected = Terms { viscosity, correction: true, ..plain };
+        all.push(Terms { tensor: true, no_torque: true, ..corrected });
+        all.extend([true, false].map(|tensor| Terms { tensor, contrast: true, ..corrected }));
     }
     all
 }
@@ -173,6 +182,45 @@ fn momentum_and_energy_are_conserved_and_viscosity_heats() {
     }
 }
 
+/// Of a pair the light one strains by all of the motion, and its pressure alone acts on both.
+#[test]
+fn of_a_pair_the_light_one_gives_way() {
+    for terms in all_terms().into_iter().filter(|terms| terms.contrast && terms.viscosity == Viscosity::Off) {
+        let mut contrast = cloud(3, terms, 2, 4);
+        let (stride, density, volume) = (contrast.layout.stride(), contrast.layout.density(), contrast.layout.volume());
+        for a in 0..3 {
+            contrast.records[stride + a] = contrast.records[a] + 0.4;
+        }
+        let ratios = |with: &Cloud, width: Width| {
+            let mut plain = cloud(3, Terms { contrast: false, ..terms }, 2, 4);
+            plain.records.clone_from(&with.records);
+            let [a, b] = [with, &plain].map(|cloud| cloud.sums(Kernel::CubicSpline, width));
+            [0, 1].map(|i| [a[i].gradient[0] / b[i].gradient[0], a[i].force[0] / b[i].force[0]])
+        };
+        for (heavy, shares) in [(1.0, [1.0, 1.0]), (1e6, [2e-6, 2.0])] {
+            (contrast.records[density], contrast.records[stride + density]) = (heavy, 1.0);
+            (contrast.records[volume], contrast.records[stride + volume]) = (0.3, 0.2);
+            let stress = contrast.layout.stress();
+            // Ten times the pressure in the heavy one.
+            for (record, p) in [(0, 10.0), (stride, 1.0)] {
+                contrast.records[record + stress..record + stress + contrast.layout.stress_words()].fill(0.0);
+                let diagonal = if terms.tensor { 3 } else { 1 };
+                contrast.records[record + stress..record + stress + diagonal].fill(-p);
+            }
+            for width in widths() {
+                let found = ratios(&contrast, width);
+                let force = (10.0 * shares[0] + shares[1]) / 11.0;
+                for (found, share) in found.iter().zip(shares) {
+                    assert!(
+                        (found[0] / share - 1.0).abs() < 2e-6 && (found[1] / force - 1.0).abs() < 2e-6,
+                        "{found:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
 fn work(layout: &Layout, record: &[f64], s: &RowSums) -> f64 {
     let d = layout.dimension;
     let g = &s.gradient;
@@ -197,7 +245,8 @@ fn work(layout: &Layout, record: &[f64], s: &RowSums) -> f64 {
 #[test]
 fn sums_agree_with_a_plain_double_loop() {
     let viscosity = Viscosity::SameBeta;
-    let terms = Terms { tensor: true, viscosity, artificial_stress: true, correction: true, no_torque: false };
+    let terms =
+        Terms { tensor: true, viscosity, artificial_stress: true, correction: true, no_torque: false, contrast: false };
     let cloud = cloud(3, terms, 25, 3);
     let layout = cloud.layout;
     for (kernel, spline) in [(Kernel::CubicSpline, true), (Kernel::WendlandC2, false)] {
@@ -274,7 +323,8 @@ fn slope(spline: bool, r: f64, h: f64) -> f64 {
 #[test]
 fn coincident_particles_are_harmless() {
     let viscosity = Viscosity::SameBeta;
-    let terms = Terms { tensor: true, viscosity, artificial_stress: true, correction: true, no_torque: false };
+    let terms =
+        Terms { tensor: true, viscosity, artificial_stress: true, correction: true, no_torque: false, contrast: false };
     let mut cloud = cloud(3, terms, 3, 9);
     let stride = cloud.layout.stride();
     let first: Vec<f64> = cloud.records[..3].to_vec();

@@ -85,6 +85,7 @@ fn cases() -> Vec<Case> {
         artificial_stress: false,
         correction: false,
         no_torque: false,
+        contrast: false,
     };
     let viscous = Terms { viscosity: Viscosity::SameBeta, ..gas };
     let solid = Terms { tensor: true, ..viscous };

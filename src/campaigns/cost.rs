@@ -70,9 +70,10 @@ fn effects(scene: &Scene, plan: &Plan) -> String {
         rows.push(vec![name.to_string(), why]);
     };
     plan.effects.iter().for_each(|effect| row(effect.name()));
-    ["viscosity", "corrected_gradient", "artificial_stress", "angular_momentum"]
+    let t = &plan.terms;
+    ["viscosity", "corrected_gradient", "artificial_stress", "angular_momentum", "density_contrast"]
         .iter()
-        .zip([scene.numerics.viscosity, plan.terms.correction, plan.terms.artificial_stress, plan.terms.no_torque])
+        .zip([scene.numerics.viscosity, t.correction, t.artificial_stress, t.no_torque, t.contrast])
         .filter(|(_, on)| *on)
         .for_each(|(name, _)| row(name));
     format!("\n{}", aligned(&rows))

@@ -43,6 +43,7 @@ struct Compiled<
     const TENSILE: bool,
     const CORRECTED: bool,
     const BALANCED: bool,
+    const CONTRAST: bool,
     const VISC: u8,
     K,
 >(std::marker::PhantomData<K>);
@@ -53,9 +54,10 @@ impl<
     const TENSILE: bool,
     const CORRECTED: bool,
     const BALANCED: bool,
+    const CONTRAST: bool,
     const VISC: u8,
     K: Shape,
-> Form for Compiled<D, TENSOR, TENSILE, CORRECTED, BALANCED, VISC, K>
+> Form for Compiled<D, TENSOR, TENSILE, CORRECTED, BALANCED, CONTRAST, VISC, K>
 {
     const D: usize = D;
     const TERMS: Terms = Terms {
@@ -68,6 +70,7 @@ impl<
         artificial_stress: TENSILE,
         correction: CORRECTED,
         no_torque: BALANCED,
+        contrast: CONTRAST,
     };
     type Kernel = K;
 }
@@ -101,6 +104,8 @@ fn choose(dimension: usize, terms: Terms, kernel: Kernel, width: Width) -> Loop 
 
 fn with_terms<const D: usize, K: Shape>(terms: Terms, width: Width) -> Loop {
     match (terms.tensor, terms.artificial_stress) {
+        (true, false) if terms.contrast && terms.correction => contrasting::<D, true, K>(terms, width),
+        (false, false) if terms.contrast && terms.correction => contrasting::<D, false, K>(terms, width),
         (true, false) if terms.no_torque && terms.correction => balanced::<D, K>(terms, width),
         (_, true) => with_correction::<D, true, true, K>(terms, width),
         (true, false) => with_correction::<D, true, false, K>(terms, width),
@@ -110,20 +115,28 @@ fn with_terms<const D: usize, K: Shape>(terms: Terms, width: Width) -> Loop {
 
 fn balanced<const D: usize, K: Shape>(terms: Terms, width: Width) -> Loop {
     match terms.viscosity {
-        Viscosity::Off => with_lanes::<Compiled<D, true, false, true, true, 0, K>, D>(width),
-        Viscosity::SameBeta => with_lanes::<Compiled<D, true, false, true, true, 1, K>, D>(width),
-        Viscosity::OwnBeta => with_lanes::<Compiled<D, true, false, true, true, 2, K>, D>(width),
+        Viscosity::Off => with_lanes::<Compiled<D, true, false, true, true, false, 0, K>, D>(width),
+        Viscosity::SameBeta => with_lanes::<Compiled<D, true, false, true, true, false, 1, K>, D>(width),
+        Viscosity::OwnBeta => with_lanes::<Compiled<D, true, false, true, true, false, 2, K>, D>(width),
+    }
+}
+
+fn contrasting<const D: usize, const T: bool, K: Shape>(terms: Terms, width: Width) -> Loop {
+    match terms.viscosity {
+        Viscosity::Off => with_lanes::<Compiled<D, T, false, true, false, true, 0, K>, D>(width),
+        Viscosity::SameBeta => with_lanes::<Compiled<D, T, false, true, false, true, 1, K>, D>(width),
+        Viscosity::OwnBeta => with_lanes::<Compiled<D, T, false, true, false, true, 2, K>, D>(width),
     }
 }
 
 fn with_correction<const D: usize, const T: bool, const A: bool, K: Shape>(terms: Terms, width: Width) -> Loop {
     match (terms.correction, terms.viscosity) {
-        (false, Viscosity::Off) => with_lanes::<Compiled<D, T, A, false, false, 0, K>, D>(width),
-        (false, Viscosity::SameBeta) => with_lanes::<Compiled<D, T, A, false, false, 1, K>, D>(width),
-        (false, Viscosity::OwnBeta) => with_lanes::<Compiled<D, T, A, false, false, 2, K>, D>(width),
-        (true, Viscosity::Off) => with_lanes::<Compiled<D, T, A, true, false, 0, K>, D>(width),
-        (true, Viscosity::SameBeta) => with_lanes::<Compiled<D, T, A, true, false, 1, K>, D>(width),
-        (true, Viscosity::OwnBeta) => with_lanes::<Compiled<D, T, A, true, false, 2, K>, D>(width),
+        (false, Viscosity::Off) => with_lanes::<Compiled<D, T, A, false, false, false, 0, K>, D>(width),
+        (false, Viscosity::SameBeta) => with_lanes::<Compiled<D, T, A, false, false, false, 1, K>, D>(width),
+        (false, Viscosity::OwnBeta) => with_lanes::<Compiled<D, T, A, false, false, false, 2, K>, D>(width),
+        (true, Viscosity::Off) => with_lanes::<Compiled<D, T, A, true, false, false, 0, K>, D>(width),
+        (true, Viscosity::SameBeta) => with_lanes::<Compiled<D, T, A, true, false, false, 1, K>, D>(width),
+        (true, Viscosity::OwnBeta) => with_lanes::<Compiled<D, T, A, true, false, false, 2, K>, D>(width),
     }
 }
 

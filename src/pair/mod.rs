@@ -7,11 +7,13 @@
 //!
 //! with x_ij = x_i - x_j, v_ij = v_i - v_j, gW = (grad W(h_i) + grad W(h_j)) / 2, V = min(m/rho, V_max), rho_i = m_i/V_i, and
 //! sigma the damaged stress. The force of i on j is minus that of j on i term by term, and the energy sums are the exact
-//! counterpart of the momentum sums (swap i and j in the double sum), so that sum m (v^2/2 + u) is constant.
+//! counterpart of the momentum sums (swap i and j in the double sum), so that sum m (v^2/2 + u) is constant. Where densities
+//! differ by orders of magnitude, sigma_i, L_i and M_i may take shares of the pair instead, see [`contrast`].
 //!
 //! One term, one file: adding one is a file here, its numbers in [`record::Layout`], and a line in [`rows::interact`].
 
 pub mod artificial_stress;
+pub mod contrast;
 pub mod correction;
 pub mod dispatch;
 pub mod record;

@@ -12,6 +12,8 @@ pub struct Terms {
     pub correction: bool,
     /// Forces without torque; only with `tensor` and `correction`, and without artificial stress.
     pub no_torque: bool,
+    /// Pairs of very different density; only with `correction`, and without artificial stress and `no_torque`.
+    pub contrast: bool,
 }
 
 /// How viscosity enters the record.
@@ -126,7 +128,14 @@ mod tests {
     #[test]
     fn a_solid_takes_two_lines_and_a_gas_sends_fewer_numbers() {
         let viscosity = Viscosity::SameBeta;
-        let solid = Terms { tensor: true, viscosity, artificial_stress: false, correction: true, no_torque: false };
+        let solid = Terms {
+            tensor: true,
+            viscosity,
+            artificial_stress: false,
+            correction: true,
+            no_torque: false,
+            contrast: false,
+        };
         let gas = Terms { tensor: false, ..solid };
         assert_eq!(Layout { dimension: 3, terms: solid }.words(), 16);
         assert_eq!(Layout { dimension: 3, terms: gas }.words(), 11);

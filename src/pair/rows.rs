@@ -6,6 +6,7 @@ use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
 
 use super::Pair;
 use super::artificial_stress;
+use super::contrast;
 use super::record::{Layout, Terms, Viscosity};
 use super::stress::{PairStress, add_pressure_force};
 use super::torque;
@@ -200,12 +201,22 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
         for a in 0..D {
             pair.gradient[a] = pair.slope.mul(x[a]);
         }
+        let [share_i, share_j] = if F::TERMS.contrast {
+            contrast::shares(i.at(layout.density()), j.at(layout.density()))
+        } else {
+            [zero, zero]
+        };
+        let straining = if F::TERMS.contrast { contrast::straining(share_i, &pair) } else { pair.gradient };
         let (force, rest) = sums.folded.split_at_mut(D);
         let force: &mut [L; D] = force.try_into().unwrap_unchecked();
         let mut dissipation = pressure.mul(v_dot_x);
         if F::TERMS.tensor {
             let from = layout.stress();
-            let mut stress = PairStress::<L, D>::sum(&i.stress::<F>(from), &j.stress::<F>(from));
+            let (mut s_i, mut s_j) = (i.stress::<F>(from), j.stress::<F>(from));
+            if F::TERMS.contrast {
+                (s_i, s_j) = (contrast::share_of(share_i, s_i), contrast::share_of(share_j, s_j));
+            }
+            let mut stress = PairStress::<L, D>::sum(&s_i, &s_j);
             if F::TERMS.artificial_stress {
                 let from = layout.artificial();
                 let r_ij = PairStress::<L, D>::sum(&i.stress::<F>(from), &j.stress::<F>(from));
@@ -220,11 +231,15 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
             }
         } else {
             let from = layout.stress();
-            add_pressure_force(i.at(from).add(j.at(from)), pressure, &pair, force);
+            let (mut s_i, mut s_j) = (i.at(from), j.at(from));
+            if F::TERMS.contrast {
+                (s_i, s_j) = (s_i.mul(share_i), s_j.mul(share_j));
+            }
+            add_pressure_force(s_i.add(s_j), pressure, &pair, force);
         }
         for a in 0..D {
             for b in 0..D {
-                rest[D * a + b] = v[a].fnma(pair.gradient[b], rest[D * a + b]);
+                rest[D * a + b] = v[a].fnma(straining[b], rest[D * a + b]);
             }
         }
         let rest = &mut rest[D * D..];
@@ -235,12 +250,12 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
         if F::TERMS.correction {
             let m = &mut rest[1..];
             for a in 0..D {
-                m[a] = x[a].fnma(pair.gradient[a], m[a]);
+                m[a] = x[a].fnma(straining[a], m[a]);
             }
-            m[D] = x[0].fnma(pair.gradient[1], m[D]);
+            m[D] = x[0].fnma(straining[1], m[D]);
             if D == 3 {
-                m[D + 1] = x[0].fnma(pair.gradient[2], m[D + 1]);
-                m[D + 2] = x[1].fnma(pair.gradient[2], m[D + 2]);
+                m[D + 1] = x[0].fnma(straining[2], m[D + 1]);
+                m[D + 2] = x[1].fnma(straining[2], m[D + 2]);
             }
         }
     }

@@ -21,6 +21,7 @@ pub struct RawNumerics {
     pub(super) viscosity: bool,
     corrected_gradient: bool,
     angular_momentum: bool,
+    density_contrast: bool,
     artificial_stress: Switch<RawArtificialStress>,
     smoothing_length: RawSmoothingLength,
 }
@@ -36,6 +37,7 @@ impl Default for RawNumerics {
             viscosity: true,
             corrected_gradient: false,
             angular_momentum: false,
+            density_contrast: false,
             artificial_stress: Switch(None),
             smoothing_length: RawSmoothingLength::default(),
         }
@@ -178,6 +180,8 @@ pub struct Numerics {
     pub corrected_gradient: bool,
     /// Whether forces between particles are to exert no torque.
     pub angular_momentum: bool,
+    /// Whether the light one of a pair gives way, and the heavy one stands.
+    pub density_contrast: bool,
     pub artificial_stress: Option<ArtificialStress>,
     pub smoothing_length: SmoothingLength,
 }
@@ -223,6 +227,13 @@ impl RawNumerics {
             let error = document.error("numerics.angular_momentum", what);
             return Err(error.allowed("numerics.corrected_gradient = true, and no artificial_stress"));
         }
+        if self.density_contrast && (!self.corrected_gradient || self.angular_momentum || artificial_stress.is_some()) {
+            let what = "where neighbours do not count alike, only the corrected gradient is one";
+            let error = document.error("numerics.density_contrast", what);
+            return Err(
+                error.allowed("numerics.corrected_gradient = true, and neither angular_momentum nor artificial_stress")
+            );
+        }
         Ok(Numerics {
             kernel: self.kernel,
             cfl: within("cfl", self.cfl, 1e-3, 1.0)?,
@@ -231,6 +242,7 @@ impl RawNumerics {
             viscosity: self.viscosity,
             corrected_gradient: self.corrected_gradient,
             angular_momentum: self.angular_momentum,
+            density_contrast: self.density_contrast,
             artificial_stress,
             smoothing_length,
         })
@@ -275,6 +287,20 @@ mod tests {
         assert!((eta(&["numerics.neighbours=57"]).unwrap() - 1.2).abs() < 1e-3);
         // The later word counts.
         assert_eq!(eta(&["numerics.neighbours=57", "numerics.eta=1.5"]).unwrap(), 1.5);
+    }
+
+    #[test]
+    fn density_contrast_needs_the_corrected_gradient_alone() {
+        let on = ["numerics.density_contrast=true", "numerics.corrected_gradient=true"];
+        assert!(eta(&on).is_ok());
+        for wrong in [
+            &on[..1],
+            &[on[0], on[1], "numerics.angular_momentum=true"],
+            &[on[0], on[1], "numerics.artificial_stress=true"],
+        ] {
+            let error = eta(wrong).err().unwrap();
+            assert!(error.what.contains("corrected gradient") && error.place.contains("density_contrast"), "{error}");
+        }
     }
 
     #[test]

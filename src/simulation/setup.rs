@@ -106,6 +106,7 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Plan {
         artificial_stress: tensile,
         correction: scene.numerics.corrected_gradient,
         no_torque,
+        contrast: scene.numerics.density_contrast,
     };
     Plan { registry, core, effects, terms, constants, motions, gravity, viscosity }
 }

@@ -366,6 +366,7 @@ fn program_loops(particles: &[Particle], neighbourhoods: [&Neighbourhood; 2]) ->
         artificial_stress: false,
         correction: false,
         no_torque: false,
+        contrast: false,
     };
     let solid = Terms { tensor: true, correction: true, ..gas };
     let tensile = Terms { artificial_stress: true, ..solid };

@@ -1,0 +1,57 @@
+//! Pairs of very different density: air or vapour beside rock. The plain sums let both particles of a pair give way alike, so that gas that
+//! runs against rock counts as compression of the rock, and the pressure that this makes, with the bulk modulus of rock, throws the gas
+//! away. Here the heavy one stands and the light one gives way, by the shares
+//!
+//! ```text
+//! w_i = 2 rho_j / (rho_i + rho_j)        w_i + w_j = 2
+//! a_i = (1/rho_i) sum_j V_j (w_i sigma_i + w_j sigma_j) . gW      L_i = sum_j w_i V_j (v_j - v_i) (x) gW      M_i likewise
+//! ```
+//! The pair's pressure (rho_j P_i + rho_i P_j) / (rho_i + rho_j), that of the light one, is what makes the acceleration of both sides of a
+//! contact the same (Hu & Adams 2007, J. Comp. Phys. 227, 264); the shares of the strain are its counterpart in the energy, which
+//! stays constant to rounding. Equal densities have w = 1, the plain sums. As neighbours do not count alike, only the corrected gradient
+//! is exact for linear fields.
+
+use super::Pair;
+use crate::math::lanes::Lanes;
+
+/// w_i and w_j from rho_i and rho_j.
+///
+/// # Safety
+/// As for [`Lanes`].
+#[inline(always)]
+pub unsafe fn shares<L: Lanes>(rho_i: L, rho_j: L) -> [L; 2] {
+    unsafe {
+        let scale = L::splat(2.0).div(rho_i.add(rho_j));
+        [rho_j.mul(scale), rho_i.mul(scale)]
+    }
+}
+
+/// The words of a stress times its share.
+///
+/// # Safety
+/// As for [`Lanes`].
+#[inline(always)]
+pub unsafe fn share_of<L: Lanes>(share: L, stress: [L; 6]) -> [L; 6] {
+    unsafe {
+        let mut s = stress;
+        for word in &mut s {
+            *word = word.mul(share);
+        }
+        s
+    }
+}
+
+/// V_j gW as i strains by it.
+///
+/// # Safety
+/// As for [`Lanes`].
+#[inline(always)]
+pub unsafe fn straining<L: Lanes, const D: usize>(share: L, pair: &Pair<L, D>) -> [L; D] {
+    unsafe {
+        let mut g = pair.gradient;
+        for word in &mut g {
+            *word = word.mul(share);
+        }
+        g
+    }
+}
