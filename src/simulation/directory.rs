@@ -18,17 +18,22 @@ pub fn prepare(path: &Path, resume: bool, comm: &Comm) -> Result<()> {
 }
 
 /// Fails where there is nothing to go on from: a checkpoint, or one in a folder of the directory, as a search has one for
-/// each impact. Collective.
+/// each impact, or in a folder of that, as campaigns have for each search. Collective.
 pub fn require_checkpoint(path: &Path, comm: &Comm) -> Result<()> {
-    let holds = |folder: &Path| [NEWEST, PREVIOUS].iter().any(|name| folder.join(name).exists());
     let look = || {
-        let folders = std::fs::read_dir(path).into_iter().flatten().flatten();
-        if holds(path) || folders.map(|entry| entry.path()).any(|folder| holds(&folder)) {
+        if holds_checkpoint(path, 2) {
             return Ok(());
         }
         Err(Error::new("there is no checkpoint to go on from").at(path.display().to_string()))
     };
     agree(comm, if comm.is_root() { look() } else { Ok(()) })
+}
+
+/// Whether a checkpoint lies in the folder, or in one of those so many levels below.
+fn holds_checkpoint(folder: &Path, levels: usize) -> bool {
+    let entries = || std::fs::read_dir(folder).into_iter().flatten().flatten();
+    [NEWEST, PREVIOUS].iter().any(|name| folder.join(name).exists())
+        || levels > 0 && entries().any(|entry| entry.path().is_dir() && holds_checkpoint(&entry.path(), levels - 1))
 }
 
 fn prepare_alone(path: &Path, resume: bool) -> Result<()> {
