@@ -4,8 +4,7 @@
 //! reduced mass):  |v - V|^2 / 2 + (1 + m / M) phi(x) < 0.
 //!
 //! The aggregate starts from the largest fragment; and, as rubble may have none worth the name, once more from all that is
-//! bound in the potential of everything to the deepest place in it. What is there moves as its pieces do on average, since any
-//! one of them may be faster than the speed of escape among spray and collapsing pores. The more massive result counts.
+//! bound in the potential of everything to the deepest place in it. The more massive result counts.
 
 use super::Piece;
 use crate::domain::comm::Comm;
@@ -14,9 +13,6 @@ use crate::math::{ExactSum, Vec3};
 
 /// Passes in which pieces may join as well as leave; later they only leave, so that the search ends.
 const FREE_PASSES: usize = 30;
-/// Pieces lie in the deepest place where the potential has this share of its lowest value and more: in an even ball, the inner
-/// sixth of its mass.
-const DEEP: f64 = 0.9;
 /// Opening angle: potentials are right to about 1e-3, speeds of escape to half of that.
 const ANGLE: f64 = 0.8;
 
@@ -90,16 +86,15 @@ impl Search<'_> {
         Aggregate { members, mass }
     }
 
-    /// All that is bound, in the potential of all free pieces, to those that lie deepest in it.
+    /// All that is bound, in the potential of all free pieces, to the piece that lies deepest in it.
     fn bound_to_the_deepest(&self) -> Vec<bool> {
         let mut potential = vec![0.0; self.pieces.len()];
         self.update_potential(&mut potential, &vec![false; self.pieces.len()], self.free);
         let deepest = best(self.comm, self.pieces, self.chosen(self.free).map(|i| (-potential[i], i)));
-        let mut depth = [self.chosen(self.free).fold(0.0, |depth: f64, i| depth.max(-potential[i]))];
-        self.comm.all_max(&mut depth);
-        let is_deep = |i: usize| self.free[i] && -potential[i] >= DEEP * depth[0];
-        let (mass, momentum) = self.sum(&(0..self.pieces.len()).map(is_deep).collect::<Vec<_>>());
-        let frame = if mass > 0.0 { momentum / mass } else { momentum };
+        let here = self.pieces.iter().find(|p| Some(p.label) == deepest);
+        let mut frame = here.map_or([f64::NEG_INFINITY; 3], |p| p.velocity.into());
+        self.comm.all_max(&mut frame);
+        let frame = Vec3::from(frame);
         let bound = |i: usize| {
             let piece = &self.pieces[i];
             let energy = 0.5 * (piece.velocity - frame).norm_squared() + potential[i];
