@@ -349,14 +349,16 @@ fn pull_apart(damage: &str, changes: &[&str], comm: &sph_mpi::domain::comm::Comm
 }
 
 /// Broken rock has no tension: its particles part on straight lines. Were the pressure of tension not damaged, they would be
-/// held with 6e5 m/s^2 and lose 99 % of their kinetic energy, nearly as rock that is whole. So with friction, and with damage that
-/// is no column but the body's. None come together: what is stretched least, by a tenth, is then the nearest.
+/// held with 6e5 m/s^2 and lose 99 % of their kinetic energy, nearly as rock that is whole. So with friction, with damage that
+/// is no column but the body's, and without any strength, where the pair loop knows no tensor. None come together: what is
+/// stretched least, by a tenth, is then the nearest.
 #[test]
 fn broken_matter_parts_ballistically() {
     ranks(1, "hard_cases::broken_matter_parts_ballistically", |comm| {
         let friction = "material.basalt.strength.collins=true";
         let sand = "material.basalt.strength.drucker_prager={ cohesion = 0, friction = 0.6 }";
-        for changes in [&[][..], &[friction], &[friction, "material.basalt.fracture=false"], &[sand]] {
+        let bare = ["material.basalt.fracture=false", "material.basalt.strength=false"];
+        for changes in [&[][..], &[friction], &[friction, "material.basalt.fracture=false"], &[sand], &bare] {
             let [a, off, kinetic, momentum, near] = pull_apart("1", changes, comm);
             println!(
                 "broken: {a:.1e} m/s^2, {off:.1e} m off, {kinetic:.6} of the energy, momentum {momentum:.1e}, {near:.4}"

@@ -9,8 +9,8 @@
 //! uneven  : the load that a rank may have over the mean before planes are moved, half of it on the mean
 //! ```
 //!
-//! Left out: messages of gravity, and what a rank opens of other ranks' branches; what network links that ranks share give to each (say it with the bandwidth), noise of the system, and the
-//! search for ranks nearby, which takes nanoseconds for each rank of the job.
+//! Left out: messages of gravity, and what a rank opens of other ranks' branches; what network links that ranks share give to each
+//! (say it with the bandwidth), noise of the system, and the search for ranks nearby, which takes nanoseconds for each rank of the job.
 
 /// What one core and the network take.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,8 +6,8 @@
 //! ```
 //!
 //! Along a periodic axis of length L a particle that falls comes back from above: its n counts how often it has gone round, so that
-//! what gravity has done stays known. It acts on accelerations before prescribed motion does, so that what holds a particle also bears its weight. Over time uniform
-//! gravity gives all matter the momentum M g t; particles among each other give none.
+//! what gravity has done stays known. It acts on accelerations before prescribed motion does, so that what holds a particle also
+//! bears its weight. Over time uniform gravity gives all matter the momentum M g t; particles among each other give none.
 //!
 //! Columns, of own gravity only: `gravity`, `gravitational_potential`, kept between evaluations, which may be rarer than steps;
 //! where uniform gravity acts along a period: `rounds`, n.

@@ -4,7 +4,8 @@
 //! reduced mass):  |v - V|^2 / 2 + (1 + m / M) phi(x) < 0.
 //!
 //! The aggregate starts from the largest fragment; and, as rubble may have none worth the name, once more from all that is
-//! bound in the potential of everything to the deepest place in it. The more massive result counts.
+//! bound in the potential of everything to the deepest place in it. That moves as the pieces around it do on average: any one of
+//! them may be faster than the speed of escape, where pores collapse. The more massive result counts.
 
 use super::Piece;
 use crate::domain::comm::Comm;
@@ -13,6 +14,9 @@ use crate::math::{ExactSum, Vec3};
 
 /// Passes in which pieces may join as well as leave; later they only leave, so that the search ends.
 const FREE_PASSES: usize = 30;
+/// Pieces count for the motion of the deepest place within so many sizes, cube roots of its volume, of the piece that lies there: with
+/// particles these are the hundred nearest.
+const AROUND: f64 = 3.0;
 /// Opening angle: potentials are right to about 1e-3, speeds of escape to half of that.
 const ANGLE: f64 = 0.8;
 
@@ -86,15 +90,20 @@ impl Search<'_> {
         Aggregate { members, mass }
     }
 
-    /// All that is bound, in the potential of all free pieces, to the piece that lies deepest in it.
+    /// All that is bound, in the potential of all free pieces, to the deepest place in it.
     fn bound_to_the_deepest(&self) -> Vec<bool> {
         let mut potential = vec![0.0; self.pieces.len()];
         self.update_potential(&mut potential, &vec![false; self.pieces.len()], self.free);
         let deepest = best(self.comm, self.pieces, self.chosen(self.free).map(|i| (-potential[i], i)));
         let here = self.pieces.iter().find(|p| Some(p.label) == deepest);
-        let mut frame = here.map_or([f64::NEG_INFINITY; 3], |p| p.velocity.into());
-        self.comm.all_max(&mut frame);
-        let frame = Vec3::from(frame);
+        let mut place = here.map_or([f64::NEG_INFINITY; 4], |p| {
+            [p.position.x, p.position.y, p.position.z, AROUND * libm::cbrt(p.volume)]
+        });
+        self.comm.all_max(&mut place);
+        let [x, y, z, reach] = place;
+        let is_near = |i: usize| self.free[i] && (self.pieces[i].position - Vec3::new(x, y, z)).norm() <= reach;
+        let (mass, momentum) = self.sum(&(0..self.pieces.len()).map(is_near).collect::<Vec<_>>());
+        let frame = momentum / mass;
         let bound = |i: usize| {
             let piece = &self.pieces[i];
             let energy = 0.5 * (piece.velocity - frame).norm_squared() + potential[i];

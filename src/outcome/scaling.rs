@@ -80,24 +80,23 @@ impl VelocityFit {
     }
 }
 
-/// Leinhardt & Stewart 2012, ApJ 745, 79, eqs 23 and 28: Q*_RD of a total mass whose radius at 1000 kg/m^3 is `radius` (m), where
-/// target and projectile have the mass ratio `gamma`; c* = 5 as for small bodies, mu = 0.37. J/kg.
-pub fn gravity_law(radius: f64, gamma: f64) -> f64 {
+/// Q*_RD = q (V / V_1)^(2 - 3 mu), q = (4/5) c* pi rho_1 G R_C1^2 and V_1 = sqrt(8 q), both of equal masses: Leinhardt & Stewart 2012, ApJ
+/// 745, 79, with c* = 5 and mu = 0.37 of small bodies. `radius` (m): R_C1, of all mass at rho_1 = 1000 kg/m^3; V: `speed`, m/s. J/kg.
+pub fn gravity_law(radius: f64, speed: f64) -> f64 {
     const C: f64 = 5.0;
     const MU: f64 = 0.37;
-    let ratio = (gamma + 1.0) * (gamma + 1.0) / (4.0 * gamma);
-    C * 0.8
-        * std::f64::consts::PI
-        * 1000.0
-        * crate::gravity::G
-        * radius
-        * radius
-        * libm::pow(ratio, 2.0 / (3.0 * MU) - 1.0)
+    let equal = 0.8 * C * std::f64::consts::PI * 1000.0 * crate::gravity::G * radius * radius;
+    equal * libm::pow(speed / (8.0 * equal).sqrt(), 2.0 - 3.0 * MU)
+}
+
+/// Whether matter of this density without pores, kg/m^3, counts as ice here; else it is rock.
+pub fn is_ice(density: f64) -> bool {
+    density < 1500.0
 }
 
 /// The fit for a target of this density made for the nearest speed (in ratio): ice up to 1.5 g/cm^3, basalt above.
 pub fn nearest_fit(density: f64, speed: f64) -> ThresholdFit {
-    let [slow, fast] = if density < 1500.0 { [ICE_500_M_S, ICE_3_KM_S] } else { [BASALT_3_KM_S, BASALT_5_KM_S] };
+    let [slow, fast] = if is_ice(density) { [ICE_500_M_S, ICE_3_KM_S] } else { [BASALT_3_KM_S, BASALT_5_KM_S] };
     // Nearer in ratio: below the geometric mean of the two.
     if speed * speed < slow.speed * fast.speed { slow } else { fast }
 }
@@ -174,7 +173,9 @@ mod tests {
         for (law, values) in jutzi {
             radii.iter().zip(values).for_each(|(r, value)| near(law.q_star(*r), value));
         }
-        near(gravity_law(1e3, 1.0), 0.839);
-        near(gravity_law(1e5, 0.1) / gravity_law(1e5, 1.0), 2.43);
+        // V* of mass ratios 1 and 0.1, ((g + 1)^2 / 4 g)^(1 / (3 mu)) V_1, gives 0.839 J/kg and 2.43 times that at 1 km.
+        let speed = |g: f64| ((g + 1.0) * (g + 1.0) / (4.0 * g)).powf(1.0 / 1.11) * (8.0f64 * 0.8388).sqrt();
+        near(gravity_law(1e3, speed(1.0)), 0.839);
+        near(gravity_law(1e3, speed(0.1)), 2.43 * 0.8388);
     }
 }

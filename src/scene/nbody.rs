@@ -5,21 +5,9 @@ use serde::{Deserialize, Serialize};
 use super::source::Document;
 use crate::error::Result;
 
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct RawNbody {
-    smallest: u64,
-    most: u64,
-}
-
-impl Default for RawNbody {
-    fn default() -> Self {
-        Self { smallest: 1, most: 100_000 }
-    }
-}
-
 /// What becomes a body.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
 pub struct Nbody {
     /// Least number of particles.
     pub smallest: u64,
@@ -27,9 +15,15 @@ pub struct Nbody {
     pub most: u64,
 }
 
-impl RawNbody {
+impl Default for Nbody {
+    fn default() -> Self {
+        Self { smallest: 1, most: 100_000 }
+    }
+}
+
+impl Nbody {
     /// `remnants`: whether the scene is an impact that leaves any.
-    pub(super) fn validate(&self, document: &Document, dimension: usize, remnants: bool) -> Result<Nbody> {
+    pub(super) fn validate(self, document: &Document, dimension: usize, remnants: bool) -> Result<Self> {
         if dimension != 3 || !remnants {
             let what = "there are no remnants to be handed on";
             return Err(document.error("nbody", what).allowed("an impact in three dimensions, onto no ground"));
@@ -39,6 +33,6 @@ impl RawNbody {
                 return Err(document.error(&format!("nbody.{key}"), "0 is too few").allowed("1 and more"));
             }
         }
-        Ok(Nbody { smallest: self.smallest, most: self.most })
+        Ok(self)
     }
 }

@@ -16,7 +16,7 @@ use super::gravity::RawGravity;
 use super::hydrostatic::Start;
 use super::late_stage::RawLateStage;
 use super::lattice::LatticeKind;
-use super::nbody::RawNbody;
+use super::nbody::Nbody;
 use super::numerics::RawNumerics;
 use super::settings::{RawOutput, RawRun, RawThreshold};
 use super::start::{RawBlast, RawFlow};
@@ -52,7 +52,7 @@ pub struct RawScene {
     pub threshold: Option<RawThreshold>,
     pub compare: Option<RawCompare>,
     pub outcome: Option<RawAsked>,
-    pub nbody: Option<RawNbody>,
+    pub nbody: Option<Nbody>,
     #[serde(default)]
     pub probe: Vec<RawProbe>,
 }

@@ -176,6 +176,12 @@ fn a_gas_starts_from_its_pressure() {
 }
 
 #[test]
+fn a_gas_does_not_break() {
+    let text = parse(include_str!("../../inputs/blast_gas.toml"), &["ball.damage=1"]).unwrap_err().to_string();
+    assert!(text.contains("is a gas, which does not break"), "{text}");
+}
+
+#[test]
 fn unknown_keys_name_the_nearest_known_one() {
     let text = complaint("spacing = 0.2", "spacng = 0.2");
     assert!(text.starts_with("s.toml:5: body ball, spacng: unknown key `spacng`, did you mean `spacing`?"), "{text}");

@@ -97,13 +97,14 @@ impl<const D: usize> Neighbourhood<D> {
     fn wrap(&self, columns: &mut Columns) {
         let periods = &self.space.periods;
         for axis in (0..D).filter(|&axis| periods.closed(axis)) {
-            for i in 0..columns.len() {
-                let place = &mut columns.numbers_mut(self.core.position.index)[D * i + axis];
-                let rounds = periods.rounds(axis, *place);
-                *place = periods.wrapped(axis, *place);
-                if let Some(column) = self.rounds {
-                    columns.numbers_mut(column.index)[D * i + axis] += rounds;
+            if let Some(column) = self.rounds {
+                for k in (0..columns.len()).map(|i| D * i + axis) {
+                    let x = columns.numbers_mut(self.core.position.index)[k];
+                    columns.numbers_mut(column.index)[k] += periods.rounds(axis, x);
                 }
+            }
+            for place in columns.numbers_mut(self.core.position.index).as_chunks_mut::<D>().0 {
+                place[axis] = periods.wrapped(axis, place[axis]);
             }
         }
     }

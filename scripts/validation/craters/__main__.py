@@ -61,14 +61,15 @@ def crushed(run, speed):
         data = file["VTKHDF/PointData"]
         if "distention" not in data:
             return None
-        up = data["velocity"][:, 2] > speed
+        up = (data["velocity"][:, 2] > speed) & (data["body"][:] != PROJECTILE)
         distention, mass = data["distention"][:][up], data["mass"][:][up]
-    ground = distention > 1.0  # of the projectile it is 1; so it is of ground without any pore left, which counts for nothing here
-    whole = distention > 0.999 * distention.max(initial=1.0)
-    return float(mass[ground & ~whole].sum() / mass[ground].sum())
+    whole = distention > 0.999 * distention.max()
+    return float(mass[~whole].sum() / mass.sum())
 
 
 SPEEDS = [2, 5, 100]
+PROJECTILE = 1
+"""Its number among the bodies of the scene."""
 DRAWN = ["P-alpha", "rho-alpha", "solid"]
 
 

@@ -112,12 +112,16 @@ pub fn figure(title: &str, rows: &[Row]) -> Figure {
         let mark = if label.starts_with("Benz") { Mark::Line } else { Mark::Dashed };
         series.push(curve(label, mark, &|radius| fit.q_star(radius)));
     }
-    let rock = rows.iter().filter(|row| is_rock(row)).map(|row| row.speed).fold(0.0, f64::max);
-    if rock > 0.0 {
+    let rock = rows.iter().filter(|row| is_rock(row)).max_by(|a, b| a.speed.total_cmp(&b.speed));
+    if let Some(&Row { speed, density, .. }) = rock {
+        let at = format!("Q*_RD, {} km/s", 1e-3 * speed);
         for (name, law) in [("strong rock", scaling::STRONG_ROCK), ("weak aggregates", scaling::WEAK_AGGREGATES)] {
-            let label = format!("Stewart & Leinhardt 2009, {name}, {} km/s", 1e-3 * rock);
-            series.push(curve(label, Mark::Dashed, &|radius| law.q_star(radius, rock)));
+            let label = format!("Stewart & Leinhardt 2009, {name}, {at}");
+            series.push(curve(label, Mark::Dashed, &|radius| law.q_star(radius, speed)));
         }
+        let at_rho_1 = libm::cbrt(1e-3 * density);
+        let label = format!("Leinhardt & Stewart 2012, gravity, {at}");
+        series.push(curve(label, Mark::Dashed, &|radius| scaling::gravity_law(at_rho_1 * radius, speed)));
     }
     let mut families: Vec<&str> = rows.iter().map(|row| row.family.as_str()).collect();
     let mut seen = HashSet::new();
@@ -140,7 +144,7 @@ pub fn figure(title: &str, rows: &[Row]) -> Figure {
 }
 
 fn is_rock(row: &Row) -> bool {
-    row.density > 1000.0
+    !scaling::is_ice(row.density)
 }
 
 /// Fits of Q*_D for the materials and speeds there are.
@@ -201,11 +205,11 @@ mod tests {
         ];
         let figure = figure("t", &rows);
         let labels: Vec<&str> = figure.series.iter().map(|series| series.label.as_str()).collect();
-        assert_eq!(labels.len(), 7, "{labels:?}");
+        assert_eq!(labels.len(), 8, "{labels:?}");
         assert!(labels[0].starts_with("Benz & Asphaug 1999, basalt, 5"));
-        assert_eq!(&labels[5..], ["solid", "pores"]);
-        assert_eq!(figure.series[5].points, [(1e2, 360.0), (1e4, 2e4)]);
-        assert!(figure.series[6].points.is_empty());
+        assert_eq!(&labels[6..], ["solid", "pores"]);
+        assert_eq!(figure.series[6].points, [(1e2, 360.0), (1e4, 2e4)]);
+        assert!(figure.series[7].points.is_empty());
         let ice = fits(&[row("ice", 1e3, 917.0, false, None)]);
         assert_eq!(ice.len(), 1);
         let text = table(&rows);
