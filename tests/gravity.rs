@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use sph_mpi::domain::comm::Comm;
-use sph_mpi::gravity::multipole::{Body, Field, Opening, solve};
-use sph_mpi::gravity::{self, G};
+use sph_mpi::domain::comm::{Comm, Exchange, Overlapped};
+use sph_mpi::gravity::multipole::direct;
+use sph_mpi::gravity::{Body, Field, G, Opening, solve, solve_later};
 use sph_mpi::math::Vec3;
 use sph_mpi::random::uniform;
 use sph_mpi::scene::Scene;
@@ -152,8 +152,8 @@ fn what_cannot_be_is_refused() {
     assert!(empty.to_string().contains("nothing attracts"), "{empty}");
 }
 
-/// A ball of jittered sites, a dense clump beside it and a few far away; every rank has its share.
-fn bodies(comm: &Comm, edge: i64) -> Vec<Body> {
+/// A ball of jittered sites, a dense clump beside it and a few far away.
+fn all_bodies(edge: i64) -> Vec<Body> {
     let mut all = Vec::new();
     let mut add = |position: [f64; 3], mass: f64, softening: f64| {
         let id = all.len() as u64;
@@ -175,21 +175,14 @@ fn bodies(comm: &Comm, edge: i64) -> Vec<Body> {
     for n in 0..8 {
         add([0, 1, 2].map(|k| 1e5 * (uniform(5, n, k) - 0.5)), 1e12, 1e3);
     }
-    let share = |rank: usize| all.len() * rank / comm.size();
-    all[share(comm.rank())..share(comm.rank() + 1)].to_vec()
+    all
 }
 
-/// The field as sums over all bodies, at each of `targets`.
-fn direct(bodies: &[Body], target: &Body) -> Field {
-    let (mut acceleration, mut potential) = (gravity::Acceleration::default(), gravity::Potential::default());
-    for body in bodies.iter().filter(|body| body.id != target.id) {
-        use gravity::Field;
-        let x = Vec3::from(target.position) - Vec3::from(body.position);
-        let h = body.softening.max(target.softening);
-        acceleration.add_body(body.mass, h, &x);
-        potential.add_body(body.mass, h, &x);
-    }
-    Field { acceleration: acceleration.0.into(), potential: potential.0 }
+/// A rank's share of them.
+fn bodies(comm: &Comm, edge: i64) -> Vec<Body> {
+    let all = all_bodies(edge);
+    let share = |rank: usize| all.len() * rank / comm.size();
+    all[share(comm.rank())..share(comm.rank() + 1)].to_vec()
 }
 
 fn size(a: &[f64; 3]) -> f64 {
@@ -232,6 +225,19 @@ fn errors_against_direct_sums() {
     });
 }
 
+/// All ranks' fields in order of id, as text.
+fn gathered(comm: &Comm, bodies: &[Body], fields: &[Field]) -> String {
+    let mut words: Vec<u64> = Vec::new();
+    for (body, field) in bodies.iter().zip(fields) {
+        words.push(body.id);
+        words.extend(field.acceleration.iter().chain([&field.potential]).map(|x| x.to_bits()));
+    }
+    let received = comm.sparse_exchange(vec![(0, words)]);
+    let mut all: Vec<&[u64]> = received.iter().flat_map(|(_, words)| words.chunks_exact(5)).collect();
+    all.sort();
+    format!("{} {:?} ", all.len(), blake3::hash(bytemuck::cast_slice(&all.concat())))
+}
+
 /// The same bits on any number of ranks, wherever bodies are.
 #[test]
 fn the_same_field_on_any_ranks() {
@@ -241,20 +247,50 @@ fn the_same_field_on_any_ranks() {
         for (accuracy, order) in [(f64::INFINITY, 3), (0.05, 3), (1e-3, 4), (1e-4, 5)] {
             let fields = solve(comm, &bodies, &Opening { angle: 0.8, accuracy, order });
             bodies.iter_mut().zip(&fields).for_each(|(body, field)| body.acceleration = size(&field.acceleration));
-            let mut words: Vec<u64> = Vec::new();
-            for (body, field) in bodies.iter().zip(&fields) {
-                words.push(body.id);
-                words.extend(field.acceleration.iter().chain([&field.potential]).map(|x| x.to_bits()));
-            }
-            let mut all: Vec<Vec<u64>> = comm
-                .sparse_exchange(vec![(0, words)])
-                .iter()
-                .flat_map(|(_, words)| words.chunks_exact(5).map(|w| w.to_vec()))
-                .collect();
-            all.sort();
-            answer += &format!("{} {:?} ", all.len(), blake3::hash(bytemuck::cast_slice(&all.concat())));
+            answer += &gathered(comm, &bodies, &fields);
         }
         answer
+    });
+}
+
+/// Bodies without mass are attracted and attract nobody, whole cells of them included: potentials as sums over the others, to 1e-3,
+/// which is what the search for bound mass relies on.
+#[test]
+fn bodies_without_mass() {
+    same_on_any_ranks("gravity::bodies_without_mass", |comm| {
+        let has_mass = |body: &Body| body.position[1] <= 0.0 && body.id % 3 != 0;
+        let with_mass: Vec<Body> = all_bodies(17).into_iter().filter(has_mass).collect();
+        let mut bodies = bodies(comm, 17);
+        bodies.iter_mut().filter(|body| !has_mass(body)).for_each(|body| body.mass = 0.0);
+        assert!((600..1500).contains(&with_mass.len()), "{}", with_mass.len());
+        let fields = solve(comm, &bodies, &Opening { angle: 0.7, accuracy: f64::INFINITY, order: 4 });
+        let off = |(body, field): (&Body, &Field)| (field.potential / direct(&with_mass, body).potential - 1.0).abs();
+        let worst = bodies.iter().zip(&fields).map(off).fold(0.0, f64::max);
+        println!("potentials within {worst:.1e}");
+        assert!(worst < 1e-3, "{worst}");
+        gathered(comm, &bodies, &fields)
+    });
+}
+
+/// An evaluation goes on while this rank does something else: where others have not begun it yet, nobody waits for them until it
+/// is finished, and the field is that of one done at once. (If going on waited, no rank but the first would ever say that it
+/// has gone on, for which the first waits before it begins.)
+#[test]
+fn evaluations_overlap_with_other_work() {
+    ranks(3, "gravity::evaluations_overlap_with_other_work", |comm| {
+        let (bodies, opening) = (bodies(comm, 11), Opening { angle: 0.7, accuracy: f64::INFINITY, order: 3 });
+        let others: Vec<(usize, usize)> = (1..comm.size()).map(|rank| (rank, 1)).collect();
+        let (to, from) = if comm.is_root() { (Vec::new(), others) } else { (vec![(0, 1)], Vec::new()) };
+        let mut has_gone_on = Exchange::new(comm, &to, &from);
+        let mut evaluation = Overlapped::new(comm, solve_later(comm, &bodies, &opening));
+        if !comm.is_root() {
+            (0..10).for_each(|_| evaluation.go_on());
+        }
+        has_gone_on.start(comm);
+        has_gone_on.wait(comm);
+        evaluation.go_on();
+        let (later, at_once) = (evaluation.finish(), solve(comm, &bodies, &opening));
+        assert!(!later.is_empty() && later == at_once);
     });
 }
 
@@ -277,6 +313,8 @@ fn few_bodies() {
         }
         let at_once = solve(comm, &of_first(&[body(7, 2.0), body(1, 2.0)]), &opening);
         assert!(at_once.iter().all(|field| field.acceleration == [0.0; 3] && field.potential < 0.0), "{at_once:?}");
+        let none = solve(comm, &of_first(&[Body { mass: 0.0, ..body(7, 2.0) }]), &opening);
+        assert!(none.iter().all(|field| *field == Field::default()), "{none:?}");
     });
 }
 

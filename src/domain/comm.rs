@@ -3,7 +3,9 @@
 
 use std::cell::{Cell, RefCell};
 use std::ffi::{CStr, CString};
+use std::pin::Pin;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::task::{Context, Poll, Waker};
 use std::time::Instant;
 
 use bytemuck::Pod;
@@ -37,7 +39,8 @@ pub struct Comm {
     waited: Cell<f64>,
     waited_cpu: Cell<f64>,
     sent: Cell<u64>,
-    pieces: RefCell<Vec<ffi::MPI_Request>>,
+    /// Whether waits end at once, as work that [`Overlapped`] goes on.
+    overlaps: Cell<bool>,
     /// What this rank gives to a reduction; kept, as steps do not allocate.
     mine: RefCell<Vec<u64>>,
     /// Hints for files; null where there are none.
@@ -83,7 +86,7 @@ impl Comm {
             waited: Cell::new(0.0),
             waited_cpu: Cell::new(0.0),
             sent: Cell::new(0),
-            pieces: RefCell::new(Vec::new()),
+            overlaps: Cell::new(false),
             mine: RefCell::new(Vec::new()),
             // SAFETY: a constant of the MPI library.
             file_hints: Cell::new(unsafe { ffi::RSMPI_INFO_NULL }),
@@ -316,6 +319,11 @@ impl Comm {
     /// to know who will send to it, and the cost follows the messages, not the number of ranks squared (Hoefler, Siebert
     /// and Lumsdaine 2010: synchronous sends closed by a non-blocking barrier). Messages to oneself are allowed.
     pub fn sparse_exchange(&self, messages: Vec<(usize, Vec<u64>)>) -> Vec<(usize, Vec<u64>)> {
+        now(self.sparse_exchange_later(messages))
+    }
+
+    /// [`Comm::sparse_exchange`] as a part of work that overlaps.
+    pub async fn sparse_exchange_later(&self, messages: Vec<(usize, Vec<u64>)>) -> Vec<(usize, Vec<u64>)> {
         let mut received: Vec<(usize, Vec<u64>)> = Vec::new();
         let mut outgoing = Vec::new();
         for (to, words) in messages {
@@ -328,89 +336,201 @@ impl Comm {
         if self.size > 1 {
             // Two rounds in flight cannot be mixed up: a rank enters the next only after the barrier of this one.
             self.round.set((self.round.get() + 1) % 2);
-            let tag = 100 + self.round.get();
-            self.waiting(|| self.exchange_round(&outgoing, tag, &mut received));
+            let mut round = Round::start(self, outgoing, 100 + self.round.get());
+            self.complete(|| round.go_on(&mut received)).await;
         }
         received.sort_by_key(|(from, _)| *from);
         received
     }
 
-    fn exchange_round(&self, outgoing: &[(usize, Vec<u64>)], tag: i32, received: &mut Vec<(usize, Vec<u64>)>) {
-        let mut requests = self.pieces.borrow_mut();
-        requests.clear();
-        // SAFETY: the buffers outlive the requests, which are completed below; headers announce length first.
-        unsafe {
-            let headers: Vec<u64> = outgoing.iter().map(|(_, words)| words.len() as u64).collect();
-            for ((to, words), header) in outgoing.iter().zip(&headers) {
-                let mut request = std::mem::zeroed();
-                ffi::MPI_Issend(
-                    (header as *const u64).cast(),
-                    8,
-                    ffi::RSMPI_UINT8_T,
-                    *to as i32,
-                    tag,
-                    self.raw,
-                    &mut request,
-                );
-                requests.push(request);
-                for piece in bytemuck::cast_slice::<u64, u8>(words).chunks(PIECE) {
-                    ffi::MPI_Isend(
-                        piece.as_ptr().cast(),
-                        piece.len() as i32,
-                        ffi::RSMPI_UINT8_T,
-                        *to as i32,
-                        tag + 2,
-                        self.raw,
-                        &mut request,
-                    );
-                    requests.push(request);
-                    self.sent.set(self.sent.get() + piece.len() as u64);
-                }
-            }
-            let mut barrier: ffi::MPI_Request = std::mem::zeroed();
-            let mut in_barrier = false;
-            loop {
-                let (mut flag, mut status) = (0, std::mem::zeroed::<ffi::MPI_Status>());
-                ffi::MPI_Iprobe(ffi::RSMPI_ANY_SOURCE, tag, self.raw, &mut flag, &mut status);
-                if flag != 0 {
-                    let from = status.MPI_SOURCE;
-                    let mut header = 0u64;
-                    let byte = ffi::RSMPI_UINT8_T;
-                    ffi::MPI_Recv((&raw mut header).cast(), 8, byte, from, tag, self.raw, &mut status);
-                    let mut words = vec![0u64; header as usize];
-                    for piece in bytemuck::cast_slice_mut::<u64, u8>(&mut words).chunks_mut(PIECE) {
-                        ffi::MPI_Recv(
-                            piece.as_mut_ptr().cast(),
-                            piece.len() as i32,
-                            byte,
-                            from,
-                            tag + 2,
-                            self.raw,
-                            &mut status,
-                        );
-                    }
-                    received.push((from as usize, words));
-                } else if in_barrier {
-                    ffi::MPI_Test(&mut barrier, &mut flag, &mut status);
-                    if flag != 0 {
-                        return;
-                    }
-                } else {
-                    let count = requests.len() as i32;
-                    ffi::MPI_Testall(count, requests.as_mut_ptr(), &mut flag, ffi::RSMPI_STATUSES_IGNORE);
-                    if flag != 0 {
-                        ffi::MPI_Ibarrier(self.raw, &mut barrier);
-                        in_barrier = true;
-                    }
-                }
-            }
+    /// Element-wise minimum over ranks, as a part of work that overlaps.
+    pub async fn all_min_later(&self, values: Vec<f64>) -> Vec<f64> {
+        // SAFETY: constants of the MPI library.
+        self.all_reduce_later(values, unsafe { ffi::RSMPI_DOUBLE }, unsafe { ffi::RSMPI_MIN }).await
+    }
+
+    /// Element-wise maximum over ranks, as a part of work that overlaps.
+    pub async fn all_max_later(&self, values: Vec<f64>) -> Vec<f64> {
+        // SAFETY: constants of the MPI library.
+        self.all_reduce_later(values, unsafe { ffi::RSMPI_DOUBLE }, unsafe { ffi::RSMPI_MAX }).await
+    }
+
+    /// Element-wise sum over ranks, as a part of work that overlaps.
+    pub async fn all_sum_later(&self, values: Vec<i64>) -> Vec<i64> {
+        // SAFETY: constants of the MPI library.
+        self.all_reduce_later(values, unsafe { ffi::RSMPI_INT64_T }, unsafe { ffi::RSMPI_SUM }).await
+    }
+
+    async fn all_reduce_later<T: Pod>(&self, mine: Vec<T>, kind: ffi::MPI_Datatype, op: ffi::MPI_Op) -> Vec<T> {
+        if self.size == 1 || mine.is_empty() {
+            return mine;
         }
+        let mut reduction = Reduction { all: vec![T::zeroed(); mine.len()], mine, request: Request::none() };
+        let Reduction { mine, all, request } = &mut reduction;
+        // SAFETY: both buffers hold as many elements of the type named, and stay where they are until the request, which goes
+        // before them, is done.
+        unsafe {
+            let (from, to, count) = (mine.as_ptr().cast(), all.as_mut_ptr().cast(), mine.len() as i32);
+            ffi::MPI_Iallreduce(from, to, count, kind, op, self.raw, &mut request.0);
+        }
+        self.complete(|| reduction.request.is_done()).await;
+        std::mem::take(&mut reduction.all)
+    }
+
+    /// Ends once `is_done`: after waiting, or, where work overlaps, when it goes on for the first time after that.
+    async fn complete(&self, mut is_done: impl FnMut() -> bool) {
+        let poll = |_: &mut Context| {
+            if self.overlaps.get() {
+                return if is_done() { Poll::Ready(()) } else { Poll::Pending };
+            }
+            self.waiting(|| while !is_done() {});
+            Poll::Ready(())
+        };
+        std::future::poll_fn(poll).await;
     }
 
     /// Releases MPI; called last, after every file is closed.
     pub fn finish(mut self) {
         self.free_file_hints();
         self.universe.take();
+    }
+}
+
+/// Work with waits for other ranks, done at once.
+pub fn now<T>(work: impl Future<Output = T>) -> T {
+    match std::pin::pin!(work).poll(&mut Context::from_waker(Waker::noop())) {
+        Poll::Ready(found) => found,
+        Poll::Pending => unreachable!("waits end where nothing overlaps"),
+    }
+}
+
+/// Work with waits for other ranks that goes on bit by bit, while this rank does something else. All ranks have the same work
+/// under way, one at a time, and no other reductions or sparse exchanges until it is finished.
+pub struct Overlapped<'a, T> {
+    comm: &'a Comm,
+    work: Pin<Box<dyn Future<Output = T> + 'a>>,
+    found: Option<T>,
+}
+
+impl<'a, T> Overlapped<'a, T> {
+    pub fn new(comm: &'a Comm, work: impl Future<Output = T> + 'a) -> Self {
+        Self { comm, work: Box::pin(work), found: None }
+    }
+
+    /// Goes on as far as messages have come.
+    pub fn go_on(&mut self) {
+        if self.found.is_none() {
+            self.comm.overlaps.set(true);
+            if let Poll::Ready(found) = self.work.as_mut().poll(&mut Context::from_waker(Waker::noop())) {
+                self.found = Some(found);
+            }
+            self.comm.overlaps.set(false);
+        }
+    }
+
+    /// Waits for the rest.
+    pub fn finish(self) -> T {
+        self.found.unwrap_or_else(|| now(self.work))
+    }
+}
+
+/// A request of its own; buffers in use by it must outlive it.
+struct Request(ffi::MPI_Request);
+
+impl Request {
+    fn none() -> Self {
+        // SAFETY: a constant of the MPI library.
+        Self(unsafe { ffi::RSMPI_REQUEST_NULL })
+    }
+
+    fn is_done(&mut self) -> bool {
+        let mut flag = 0;
+        // SAFETY: the request is valid or null; null ones are done.
+        unsafe { ffi::MPI_Test(&mut self.0, &mut flag, &mut std::mem::zeroed()) };
+        flag != 0
+    }
+}
+
+impl Drop for Request {
+    fn drop(&mut self) {
+        while !self.is_done() {}
+    }
+}
+
+/// A reduction under way; the request goes first.
+struct Reduction<T> {
+    request: Request,
+    mine: Vec<T>,
+    all: Vec<T>,
+}
+
+/// A round of the sparse exchange under way; requests go first.
+struct Round<'a> {
+    requests: Vec<Request>,
+    barrier: Option<Request>,
+    comm: &'a Comm,
+    tag: i32,
+    /// Each message with its length, which is announced first.
+    _outgoing: Vec<(Box<u64>, Vec<u64>)>,
+}
+
+impl<'a> Round<'a> {
+    fn start(comm: &'a Comm, messages: Vec<(usize, Vec<u64>)>, tag: i32) -> Self {
+        let (mut requests, mut outgoing) = (Vec::new(), Vec::new());
+        for (to, words) in messages {
+            let header = Box::new(words.len() as u64);
+            let (to, byte, mut request) = (to as i32, unsafe { ffi::RSMPI_UINT8_T }, Request::none());
+            // SAFETY: header and words stay where they are until the requests, which go before them, are done.
+            unsafe { ffi::MPI_Issend((&raw const *header).cast(), 8, byte, to, tag, comm.raw, &mut request.0) };
+            requests.push(request);
+            for piece in bytemuck::cast_slice::<u64, u8>(&words).chunks(PIECE) {
+                let (from, length, mut request) = (piece.as_ptr().cast(), piece.len() as i32, Request::none());
+                // SAFETY: as above.
+                unsafe { ffi::MPI_Isend(from, length, byte, to, tag + 2, comm.raw, &mut request.0) };
+                requests.push(request);
+                comm.sent.set(comm.sent.get() + piece.len() as u64);
+            }
+            outgoing.push((header, words));
+        }
+        Self { requests, barrier: None, comm, tag, _outgoing: outgoing }
+    }
+
+    /// Takes what has come; whether the round is over.
+    fn go_on(&mut self, received: &mut Vec<(usize, Vec<u64>)>) -> bool {
+        while let Some(message) = self.next_message() {
+            received.push(message);
+        }
+        match &mut self.barrier {
+            Some(barrier) => barrier.is_done(),
+            None => {
+                if self.requests.iter_mut().all(Request::is_done) {
+                    let barrier = self.barrier.insert(Request::none());
+                    // SAFETY: the communicator is valid.
+                    unsafe { ffi::MPI_Ibarrier(self.comm.raw, &mut barrier.0) };
+                }
+                false
+            }
+        }
+    }
+
+    fn next_message(&self) -> Option<(usize, Vec<u64>)> {
+        let (raw, tag) = (self.comm.raw, self.tag);
+        // SAFETY: a message whose header has come is received whole, into a buffer of the length that it announces.
+        unsafe {
+            let (mut flag, mut status) = (0, std::mem::zeroed::<ffi::MPI_Status>());
+            ffi::MPI_Iprobe(ffi::RSMPI_ANY_SOURCE, tag, raw, &mut flag, &mut status);
+            if flag == 0 {
+                return None;
+            }
+            let (from, byte, mut header) = (status.MPI_SOURCE, ffi::RSMPI_UINT8_T, 0u64);
+            ffi::MPI_Recv((&raw mut header).cast(), 8, byte, from, tag, raw, &mut status);
+            let mut words = vec![0u64; header as usize];
+            for piece in bytemuck::cast_slice_mut::<u64, u8>(&mut words).chunks_mut(PIECE) {
+                let (to, length) = (piece.as_mut_ptr().cast(), piece.len() as i32);
+                ffi::MPI_Recv(to, length, byte, from, tag + 2, raw, &mut status);
+            }
+            Some((from as usize, words))
+        }
     }
 }
 

@@ -9,12 +9,13 @@
 //! what gravity has done stays known. It acts on accelerations before prescribed motion does, so that what holds a particle also
 //! bears its weight. Over time uniform gravity gives all matter the momentum M g t; particles among each other give none.
 //!
-//! Columns, of own gravity only: `gravity`, `gravitational_potential`, kept between evaluations, which may be rarer than steps;
+//! Columns, of own gravity only: `gravity`, `gravitational_potential`, kept between evaluations. Where these are rarer than steps,
+//! pairs are summed while one is under way, and it counts from the next step on; else pairs wait for it.
 //! where uniform gravity acts along a period: `rounds`, n.
 //! Time step: that of all accelerations.
 
-use super::multipole::{Body, Field, Opening, solve};
-use crate::domain::comm::Comm;
+use super::{Body, Field, Opening, solve_later};
+use crate::domain::comm::{Comm, Overlapped};
 use crate::math::Vec3;
 use crate::particles::{Chunk, Column, ColumnInfo, Columns, Life, ParticleId, Registry};
 
@@ -45,6 +46,9 @@ pub struct OwnGravity {
     /// Seconds from one evaluation to the next; zero for every step.
     pub interval: f64,
 }
+
+/// Fields at particles, on their way.
+pub type Evaluation<'a> = Overlapped<'a, Vec<Field>>;
 
 /// Particles as gravity sees them.
 pub struct Matter<'a> {
@@ -96,17 +100,33 @@ impl OwnGravity {
         since.is_none_or(|since| since + 0.5 * dt >= self.interval)
     }
 
-    /// Evaluates it at all particles. `first`: it never was before. Collective.
-    pub fn update(&self, columns: &mut Columns, matter: &Matter, first: bool, comm: &Comm) {
+    /// Its evaluation at all particles as they are, with other work meanwhile; [`OwnGravity::keep`] takes what it finds. `first`:
+    /// it never was before. Collective.
+    pub fn evaluation<'a>(&self, columns: &Columns, matter: &Matter, first: bool, comm: &'a Comm) -> Evaluation<'a> {
         let order = order(self.accuracy);
-        if first {
-            let opening = Opening { angle: FIRST_ANGLE, accuracy: f64::INFINITY, order };
-            self.evaluate(columns, matter, &opening, comm);
-        }
-        self.evaluate(columns, matter, &Opening { angle: ANGLE, accuracy: self.accuracy, order }, comm);
+        let opening = Opening { angle: ANGLE, accuracy: self.accuracy, order };
+        let mut bodies = self.bodies(columns, matter);
+        Overlapped::new(comm, async move {
+            if first {
+                let opening = Opening { angle: FIRST_ANGLE, accuracy: f64::INFINITY, order };
+                let fields = solve_later(comm, &bodies, &opening).await;
+                for (body, field) in bodies.iter_mut().zip(fields) {
+                    body.acceleration = Vec3::from(field.acceleration).norm_squared().sqrt();
+                }
+            }
+            solve_later(comm, &bodies, &opening).await
+        })
     }
 
-    fn evaluate(&self, columns: &mut Columns, matter: &Matter, opening: &Opening, comm: &Comm) {
+    /// Takes over what an evaluation has found, in the order of the particles that it was begun with.
+    pub fn keep(&self, columns: &mut Columns, fields: &[Field]) {
+        for (i, Field { acceleration, potential }) in fields.iter().enumerate() {
+            columns.set(self.acceleration, i, Vec3::from(*acceleration));
+            columns.set(self.potential, i, *potential);
+        }
+    }
+
+    fn bodies(&self, columns: &Columns, matter: &Matter) -> Vec<Body> {
         let body = |i: usize| {
             let (mass, softening) = (matter.mass_and_softening)(columns, i);
             Body {
@@ -117,11 +137,7 @@ impl OwnGravity {
                 acceleration: columns.get(self.acceleration, i).norm_squared().sqrt(),
             }
         };
-        let bodies: Vec<Body> = (0..columns.len()).map(body).collect();
-        for (i, Field { acceleration, potential }) in solve(comm, &bodies, opening).into_iter().enumerate() {
-            columns.set(self.acceleration, i, Vec3::from(acceleration));
-            columns.set(self.potential, i, potential);
-        }
+        (0..columns.len()).map(body).collect()
     }
 }
 

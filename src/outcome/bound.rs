@@ -9,7 +9,7 @@
 
 use super::Piece;
 use crate::domain::comm::Comm;
-use crate::gravity::{Opening, Potential, Source, Target, Tree};
+use crate::gravity::{Body, Opening, solve};
 use crate::math::{ExactSum, Vec3};
 
 /// Passes in which pieces may join as well as leave; later they only leave, so that the search ends.
@@ -17,8 +17,8 @@ const FREE_PASSES: usize = 30;
 /// Pieces count for the motion of the deepest place within so many sizes, cube roots of its volume, of the piece that lies there: with
 /// particles these are the hundred nearest.
 const AROUND: f64 = 3.0;
-/// Opening angle: potentials are right to about 1e-3, speeds of escape to half of that.
-const ANGLE: f64 = 0.8;
+/// Potentials are right to 1e-3, speeds of escape to half of that.
+const OPENING: Opening = Opening { angle: 0.7, accuracy: f64::INFINITY, order: 4 };
 
 /// A set of pieces of all ranks.
 #[derive(Debug, Clone, PartialEq)]
@@ -129,18 +129,20 @@ impl Search<'_> {
         (mass, Vec3::new(x, y, z))
     }
 
-    /// Brings the potential of the members at every piece, itself left out (J/kg), from one membership to the next: it is
+    /// Brings the potential of the members at every free piece, itself left out (J/kg), from one membership to the next: it is
     /// linear in them, and after the first pass few change.
     fn update_potential(&self, potential: &mut [f64], before: &[bool], after: &[bool]) {
-        let source =
-            |p: &Piece| Source { id: p.label, position: p.position.into(), mass: p.mass, softening: p.softening() };
-        let targets: Vec<Target> = self.pieces.iter().map(|p| Target::from(&source(p))).collect();
+        let free: Vec<usize> = self.chosen(self.free).collect();
         for (from, to, sign) in [(before, after, 1.0), (after, before, -1.0)] {
-            let changed = (0..self.pieces.len()).filter(|&i| to[i] && !from[i]);
-            let sources: Vec<Source> = changed.map(|i| source(&self.pieces[i])).collect();
-            let tree = Tree::build(self.comm, &sources, &targets, Opening::new(ANGLE));
-            for (sum, part) in potential.iter_mut().zip(tree.fields::<Potential>(&targets)) {
-                *sum += sign * part.0;
+            let body = |&i: &usize| {
+                let piece = &self.pieces[i];
+                let mass = if to[i] && !from[i] { piece.mass } else { 0.0 };
+                let (position, softening) = (piece.position.into(), piece.softening());
+                Body { id: piece.label, position, mass, softening, acceleration: 0.0 }
+            };
+            let bodies: Vec<Body> = free.iter().map(body).collect();
+            for (&i, field) in free.iter().zip(solve(self.comm, &bodies, &OPENING)) {
+                potential[i] += sign * field.potential;
             }
         }
     }

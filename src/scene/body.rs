@@ -146,7 +146,7 @@ pub struct Reader<'a> {
 
 /// Bodies of up to this many lattice sites are counted when read; larger ones are close to their expected number.
 const COUNTED: u64 = 400_000;
-/// The least number of particles of a projectile whose spacing follows the target's.
+/// The least number of particles of a projectile whose spacing follows the target's, unless the scene names another.
 const COARSEST_PROJECTILE: u64 = 100;
 
 impl Reader<'_> {
@@ -418,6 +418,13 @@ impl Reader<'_> {
         if raw.particles.is_none() && raw.spacing.is_none() && self.target_spacing.is_some() {
             raw.spacing = Some(Spacing::OfTarget);
         }
+        if let Some(least) = raw.least_particles
+            && (least == 0 || raw.spacing != Some(Spacing::OfTarget))
+        {
+            let what = format!("{least} cannot be the least number of particles");
+            let allowed = "1 or more, of the projectile of an [impact] with spacing = \"target\"";
+            return Err(self.error("least_particles", what).allowed(allowed));
+        }
         let faces = match *shape {
             Shape::Box { size } => Faces { flat: true, periodic: fills(self.periods, size) },
             _ => Faces::default(),
@@ -440,7 +447,7 @@ impl Reader<'_> {
             (Some(particles), None) => filling.with_particles(particles),
             (None, Some(Spacing::Given(spacing))) => filling.lattice(self.positive("spacing", spacing)?),
             (None, Some(Spacing::OfTarget)) => match self.target_spacing {
-                Some(spacing) => filling.at_least(COARSEST_PROJECTILE, spacing),
+                Some(spacing) => filling.at_least(*raw.least_particles.get_or_insert(COARSEST_PROJECTILE), spacing),
                 None => {
                     let what = "only the projectile of an [impact] follows the target's spacing";
                     return Err(self.error("spacing", what).allowed("a length"));

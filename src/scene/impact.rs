@@ -2,7 +2,8 @@
 //! surfaces.
 //!
 //! On a sphere the projectile flies along -x, displaced along +y by sin(angle) (R_t + R_p): at contact its velocity makes
-//! `angle` with the line of centres. On a flat target (box, cylinder, half sphere) it comes down on the middle of the
+//! `angle` with the line of centres. Where the angle is that of its centre's path with the surface that this path meets, it is
+//! displaced by sin(angle) R_t: a large projectile then passes nearer, and less of it beside the target. On a flat target (box, cylinder, half sphere) it comes down on the middle of the
 //! upper face (+z, in 2D +y) and flies towards -x, `angle` from the normal.
 
 use serde::{Deserialize, Serialize};
@@ -15,6 +16,17 @@ use super::source::Document;
 use crate::error::{Error, Result};
 use crate::units::{Angle, Speed};
 
+/// Where the angle of an impact onto a sphere is measured.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum AngleAt {
+    /// Where the surfaces touch.
+    #[default]
+    Contact,
+    /// Where the path of the projectile's centre meets the target's surface.
+    Centre,
+}
+
 /// A validated impact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Impact {
@@ -25,6 +37,7 @@ pub struct Impact {
     pub speed: f64,
     /// From the normal, rad.
     pub angle: f64,
+    pub angle_at: AngleAt,
 }
 
 impl Impact {
@@ -53,7 +66,7 @@ impl Impact {
             let what = format!("angle is {}", Angle(raw.angle.0));
             return Err(document.error("impact.angle", what).allowed("from 0 (head-on) to below 90 deg"));
         }
-        Ok(Self { target, projectile, speed: raw.speed.0, angle: raw.angle.0 })
+        Ok(Self { target, projectile, speed: raw.speed.0, angle: raw.angle.0, angle_at: raw.angle_at })
     }
 
     /// Centre and velocity of the projectile, `gap` (m) between the surfaces.
@@ -62,7 +75,10 @@ impl Impact {
         match (target.shape, projectile.shape) {
             (Shape::Sphere { radius: r_t }, Shape::Sphere { radius: r_p }) => {
                 let contact = r_t + r_p;
-                let y = s * contact;
+                let y = match self.angle_at {
+                    AngleAt::Contact => s * contact,
+                    AngleAt::Centre => s * r_t,
+                };
                 let x = ((contact + gap) * (contact + gap) - y * y).sqrt();
                 let [tx, ty, tz] = target.centre;
                 Ok(([tx + x, ty + y, tz], [-self.speed, 0.0, 0.0]))

@@ -14,6 +14,7 @@ use super::boundaries::{RawDomain, RawLayer, RawMotion};
 use super::compare::RawCompare;
 use super::gravity::RawGravity;
 use super::hydrostatic::Start;
+use super::impact::AngleAt;
 use super::late_stage::RawLateStage;
 use super::lattice::LatticeKind;
 use super::nbody::Nbody;
@@ -69,6 +70,7 @@ pub struct RawBody {
     pub material: String,
     pub particles: Option<u64>,
     pub spacing: Option<Spacing>,
+    pub least_particles: Option<u64>,
     #[serde(default)]
     pub lattice: LatticeKind,
     pub orientation: Option<RawOrientation>,
@@ -154,6 +156,8 @@ pub struct RawImpact {
     pub speed: Speed,
     #[serde(default)]
     pub angle: Angle,
+    #[serde(default)]
+    pub angle_at: AngleAt,
     pub target: Option<String>,
     pub projectile: Option<String>,
 }

@@ -97,6 +97,10 @@ fn the_projectile_meets_the_target_at_the_angle_asked_for() {
         assert!((gap - 2.0 * h).abs() < 1e-9 * h, "{gap}");
         // Flown on to contact, the line of centres makes the angle with the velocity.
         assert!((r[1] / 11e3 - degrees.to_radians().sin()).abs() < 1e-12 && r[2] == 0.0 && r[0] > 0.0);
+        // Or its centre's path meets the surface at that angle.
+        let scene = scene.reread(&["impact.angle_at=centre".into()]).unwrap();
+        let y = scene.bodies[1].centre[1] - scene.bodies[0].centre[1];
+        assert!((y / 10e3 - degrees.to_radians().sin()).abs() < 1e-12, "{y}");
     }
 }
 
@@ -121,6 +125,13 @@ fn a_small_projectile_gets_a_hundred_particles() {
     let larger = scene.reread(&["projectile.radius=3 km".into()]).unwrap();
     assert_eq!(larger.bodies[1].shape, Shape::Sphere { radius: 3e3 });
     assert_eq!(larger.bodies[1].lattice.spacing, larger.bodies[0].lattice.spacing);
+    let coarser = parse(IMPACT, &["projectile.radius=100 m", "projectile.least_particles=30"]).unwrap();
+    let n = particles(&coarser.bodies[1]);
+    assert!((30..=40).contains(&n), "{n}");
+    for wrong in ["projectile.least_particles=0", "target.least_particles=10"] {
+        let text = parse(IMPACT, &[wrong]).unwrap_err().to_string();
+        assert!(text.contains("cannot be the least number of particles"), "{text}");
+    }
 }
 
 /// Within one per cent, and where faces are flat, within half a layer along each axis: rows come and go as a whole.

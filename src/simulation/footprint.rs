@@ -6,8 +6,7 @@ use super::setup::Plan;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::gravity::multipole::octree::Node;
-use crate::gravity::multipole::{Body, Field};
-use crate::gravity::{Source, Target};
+use crate::gravity::{Body, Field};
 use crate::kernel::SUPPORT;
 use crate::math::lanes::LANES;
 use crate::outcome;
@@ -16,9 +15,8 @@ use crate::particles::{Place, Site};
 use crate::scene::Scene;
 
 /// Bytes of a particle while an outcome is found, where all material is loose: the particle, pieces at two thresholds of
-/// damage in vectors that grew by doubling, and sources and targets of a tree, in order and sorted.
-const LOOSE: usize =
-    size_of::<outcome::Particle>() + 4 * size_of::<outcome::Piece>() + 2 * (size_of::<Source>() + size_of::<Target>());
+/// damage in vectors that grew by doubling, and their gravity.
+const LOOSE: usize = size_of::<outcome::Particle>() + 4 * size_of::<outcome::Piece>() + ATTRACTED;
 
 /// Bytes of a particle while its gravity is found: itself in messages and in order, its place in the tree, its share of nodes, and
 /// what comes back.

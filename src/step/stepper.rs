@@ -12,6 +12,7 @@ use super::phases::{Phase, Phases};
 use super::time_step::Limit;
 use super::workers::Workers;
 use crate::domain::comm::Comm;
+use crate::gravity::attraction::Evaluation;
 use crate::gravity::{Attraction, Matter};
 use crate::material::{BodyConstants, Core, MaterialEffect};
 use crate::motion::Motions;
@@ -230,7 +231,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.pointers = chunks.into_pointers();
     }
 
-    /// Pack, exchange, pair loop, rates, correction by `dt`.
+    /// Pack, exchange, pair loop, rates, correction by `dt`; with all of it, where it is due, gravity for the steps to come.
     pub(super) fn evaluate(&mut self, dt: f64) {
         let start = Instant::now();
         self.pack();
@@ -239,15 +240,20 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let stride = layout.stride();
         let records: &[f64] = bytemuck::cast_slice(&self.records);
         self.neighbourhood.send(records, stride, self.comm);
-        self.update_gravity(dt);
-        let start = Instant::now();
+        let mut gravity = self.begin_gravity(dt);
         let interior = std::mem::take(&mut self.interior);
         for group in interior.chunks(CHUNKS_PER_POLL * self.workers.threads()) {
+            let start = Instant::now();
             self.evaluate_chunks(group, dt);
             self.neighbourhood.poll();
+            self.phases.add(Phase::Pairs, start);
+            if let Some(evaluation) = &mut gravity {
+                let start = Instant::now();
+                evaluation.go_on();
+                self.phases.add(Phase::Gravity, start);
+            }
         }
         self.interior = interior;
-        self.phases.add(Phase::Pairs, start);
         let start = Instant::now();
         self.neighbourhood.wait(self.comm);
         self.phases.add(Phase::Wait, start);
@@ -267,27 +273,43 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.counters.pairs += pairs;
         self.counters.updates += self.columns.len() as u64;
         self.phases.add(Phase::Pairs, start);
+        if let Some(evaluation) = gravity {
+            self.finish_gravity(evaluation);
+        }
     }
 
-    /// The particles' own gravity, where it is due: while the records of ghosts are on their way. Collective.
-    fn update_gravity(&mut self, dt: f64) {
-        let Some(own) = self.settings.gravity.and_then(|gravity| gravity.own) else { return };
+    /// Begins an evaluation of the particles' own gravity, where it is due; returns it if others may go on meanwhile. Collective.
+    fn begin_gravity(&mut self, dt: f64) -> Option<Evaluation<'c>> {
+        let own = self.settings.gravity.and_then(|gravity| gravity.own)?;
         let since = self.counters.since_gravity.map(|since| since + dt);
         self.counters.since_gravity = since;
         if !own.is_due(since, dt) {
-            return;
+            return None;
         }
-        let start = Instant::now();
-        let waited = self.comm.wait_seconds();
+        self.counters.since_gravity = Some(0.0);
+        self.counters.gravity_evaluations += 1;
+        let (start, first) = (Instant::now(), since.is_none());
         let StepSettings { core, constants, packer, .. } = &self.settings;
         let mass_and_softening = |columns: &Columns, i: usize| {
             let body = columns.get(core.id, i).body();
             (constants[body].particle_mass, packer.smoothing_length(columns, i, body))
         };
         let matter = Matter { id: core.id, position: core.position, mass_and_softening: &mass_and_softening };
-        own.update(&mut self.columns, &matter, since.is_none(), self.comm);
-        self.counters.since_gravity = Some(0.0);
-        self.counters.gravity_evaluations += 1;
+        let evaluation = own.evaluation(&self.columns, &matter, first, self.comm);
+        self.phases.add(Phase::Gravity, start);
+        if !first && own.interval > 0.0 {
+            return Some(evaluation);
+        }
+        self.finish_gravity(evaluation);
+        None
+    }
+
+    fn finish_gravity(&mut self, evaluation: Evaluation<'c>) {
+        let (start, waited) = (Instant::now(), self.comm.wait_seconds());
+        let fields = evaluation.finish();
+        if let Some(own) = self.settings.gravity.and_then(|gravity| gravity.own) {
+            own.keep(&mut self.columns, &fields);
+        }
         // Waits for other ranks are no load of this one.
         let waited = self.comm.wait_seconds() - waited;
         self.phases.seconds[Phase::Gravity as usize] -= waited;

@@ -6,8 +6,8 @@
 use std::hint::black_box;
 
 use sph_mpi::domain::comm::Comm;
-use sph_mpi::gravity::multipole::{Body, Field, Opening, solve};
-use sph_mpi::gravity::{self, Field as _};
+use sph_mpi::gravity::multipole::direct;
+use sph_mpi::gravity::{Body, Field, Opening, solve};
 use sph_mpi::math::Vec3;
 use sph_mpi::random::uniform;
 use sph_mpi::step::workers::start_threads;
@@ -24,7 +24,7 @@ fn main() {
     let comm = Comm::start();
     let mut bodies = ball(radius);
     let sample: Vec<usize> = (0..bodies.len()).step_by((bodies.len() / SAMPLE).max(1)).collect();
-    let exact: Vec<Vec3> = sample.iter().map(|&i| direct(&bodies, &bodies[i])).collect();
+    let exact: Vec<Vec3> = sample.iter().map(|&i| direct(&bodies, &bodies[i]).acceleration.into()).collect();
     let first = solve(&comm, &bodies, &Opening { angle: 0.7, accuracy: f64::INFINITY, order: 4 });
     for (body, field) in bodies.iter_mut().zip(&first) {
         body.acceleration = Vec3::from(field.acceleration).norm();
@@ -79,16 +79,6 @@ fn ball(radius: i64) -> Vec<Body> {
         acceleration: 0.0,
     };
     (0..).zip(inside).map(body).collect()
-}
-
-/// Acceleration by all bodies, m/s^2.
-fn direct(bodies: &[Body], target: &Body) -> Vec3 {
-    let mut sum = gravity::Acceleration::default();
-    for body in bodies.iter().filter(|body| body.id != target.id) {
-        let x = Vec3::from(target.position) - Vec3::from(body.position);
-        sum.add_body(body.mass, body.softening.max(target.softening), &x);
-    }
-    sum.0
 }
 
 /// The sum of all forces over the sum of their sizes; all bodies have one mass.

@@ -4,10 +4,10 @@
 use bytemuck::{Pod, Zeroable};
 
 use super::bodies::Bodies;
+use super::cells::{Cell, DEEPEST};
 use super::expansions::{add_body, add_moved, row};
 use super::indices::{MOST, count};
 use super::opening::Side;
-use crate::gravity::cells::{Cell, DEEPEST};
 
 /// Cells with more bodies than this are split.
 pub const LEAF: usize = 16;
@@ -22,7 +22,7 @@ pub struct Body {
     /// Different for every body of the job: fixes the order of sums.
     pub id: u64,
     pub position: [f64; 3],
-    /// kg.
+    /// kg; a body without mass is attracted all the same.
     pub mass: f64,
     /// Smoothing length h; softening ends at 2h.
     pub softening: f64,
@@ -122,8 +122,7 @@ impl Octree {
 
     fn finish_leaf(&mut self, node: usize, sorted: &[(u64, Body)]) {
         let bodies = || sorted.iter().map(|(_, body)| body);
-        let mass: f64 = bodies().map(|body| body.mass).sum();
-        let centre = std::array::from_fn(|k| bodies().map(|body| body.mass * body.position[k]).sum::<f64>() / mass);
+        let (mass, centre) = centre_of_mass(bodies().map(|body| (body.mass, body.position)));
         let mut side = Side { mass, radius: 0.0, softening: 0.0, acceleration: f64::INFINITY };
         let mut moments = [0.0; MOST];
         for body in bodies() {
@@ -141,9 +140,8 @@ impl Octree {
     /// Completes a node from its children, summed in their order.
     pub fn finish(&mut self, node: usize, cell: Cell) {
         let children = || Children { tree: self, at: node + 1, end: self.nodes.len() };
-        let mass: f64 = children().map(|child| self.nodes[child].side.mass).sum();
-        let part = |child: usize, k: usize| self.nodes[child].side.mass * self.nodes[child].centre[k];
-        let centre: [f64; 3] = std::array::from_fn(|k| children().map(|child| part(child, k)).sum::<f64>() / mass);
+        let parts = children().map(|child| (self.nodes[child].side.mass, self.nodes[child].centre));
+        let (mass, centre) = centre_of_mass(parts);
         let mut side = Side { mass, radius: 0.0, softening: 0.0, acceleration: f64::INFINITY };
         let mut moments = [0.0; MOST];
         for child in children() {
@@ -239,6 +237,16 @@ impl Iterator for Children<'_> {
             child
         })
     }
+}
+
+/// The mass of some parts in their order, and its centre; where none has any, their mean place.
+fn centre_of_mass(parts: impl Iterator<Item = (f64, [f64; 3])> + Clone) -> (f64, [f64; 3]) {
+    let mass: f64 = parts.clone().map(|(mass, _)| mass).sum();
+    let centre = |weight: &dyn Fn(f64) -> f64| {
+        let total: f64 = parts.clone().map(|(mass, _)| weight(mass)).sum();
+        std::array::from_fn(|k| parts.clone().map(|(mass, place)| weight(mass) * place[k]).sum::<f64>() / total)
+    };
+    (mass, if mass == 0.0 { centre(&|_| 1.0) } else { centre(&|mass| mass) })
 }
 
 fn length(x: &[f64; 3]) -> f64 {

@@ -14,8 +14,8 @@
 
 use bytemuck::{Pod, Zeroable};
 
+use super::cells::{Cell, DEEPEST};
 use super::octree::{Node, Octree};
-use crate::gravity::cells::{Cell, DEEPEST};
 
 /// One of two cells as the test sees it.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]

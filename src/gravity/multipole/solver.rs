@@ -7,14 +7,14 @@ use bytemuck::{Pod, Zeroable};
 use rayon::prelude::*;
 
 use super::bodies::Bodies;
+use super::cells::{Cell, Root, key_within};
 use super::expansions::row;
 use super::octree::{Body, LEAF, Node, Octree};
 use super::opening::{Openers, Opening, distance2};
+use super::top::{Parcels, find_ends, find_owners, within};
 use super::walk;
-use crate::domain::comm::Comm;
+use crate::domain::comm::{Comm, now};
 use crate::gravity::G;
-use crate::gravity::cells::{Cell, Root, key_within};
-use crate::gravity::top::{Parcels, find_ends, find_owners, within};
 
 /// Words of a body in a message.
 const BODY_WORDS: usize = std::mem::size_of::<Body>() / 8;
@@ -35,10 +35,15 @@ pub struct Field {
 
 /// The field of all bodies of all ranks at each of this rank's, itself left out; all in SI units. Collective.
 pub fn solve(comm: &Comm, bodies: &[Body], opening: &Opening) -> Vec<Field> {
-    let root = Root::around(comm, bodies.iter().map(|body| &body.position));
+    now(solve_later(comm, bodies, opening))
+}
+
+/// [`solve`] as a part of work that overlaps.
+pub async fn solve_later(comm: &Comm, bodies: &[Body], opening: &Opening) -> Vec<Field> {
+    let root = Root::around(comm, bodies.iter().map(|body| &body.position)).await;
     let keyed = in_order(&root, bodies);
-    let ends = find_ends(comm, &keyed, LEAF as i64);
-    let owners = find_owners(comm, &ends, &keyed);
+    let ends = find_ends(comm, &keyed, LEAF as i64).await;
+    let owners = find_owners(comm, &ends, &keyed).await;
 
     let mut parcels = Parcels::default();
     let mut sent: Vec<(usize, Vec<u32>)> = Vec::new();
@@ -59,9 +64,9 @@ pub fn solve(comm: &Comm, bodies: &[Body], opening: &Opening) -> Vec<Field> {
             numbers.push(number);
         }
     }
-    let received = comm.sparse_exchange(parcels.0);
+    let received = comm.sparse_exchange_later(parcels.0).await;
     let arrived = Arrived::new(&received);
-    let tree = Forest { comm, opening, ends: &ends, owners: &owners }.tree(&arrived.sorted);
+    let tree = Forest { comm, opening, ends: &ends, owners: &owners }.tree(&arrived.sorted).await;
     let sums = walk::fields(&tree.octree, opening, &|node| tree.own[node]);
     drop(tree);
 
@@ -74,7 +79,7 @@ pub fn solve(comm: &Comm, bodies: &[Body], opening: &Opening) -> Vec<Field> {
         words.copy_from_slice(bytemuck::cast_slice(std::slice::from_ref(&field)));
     }
     let mut fields = vec![Field::default(); bodies.len()];
-    for (owner, words) in comm.sparse_exchange(replies) {
+    for (owner, words) in comm.sparse_exchange_later(replies).await {
         let numbers = sent.iter().find(|(to, _)| *to == owner).map_or(&[][..], |(_, numbers)| numbers);
         for (&number, words) in numbers.iter().zip(words.chunks_exact(FIELD_WORDS)) {
             fields[number as usize] = bytemuck::pod_read_unaligned(bytemuck::cast_slice(words));
@@ -164,13 +169,13 @@ struct Head {
 }
 
 impl Forest<'_> {
-    fn tree(&self, sorted: &[(u64, Body)]) -> Shared {
+    async fn tree(&self, sorted: &[(u64, Body)]) -> Shared {
         let (order, me) = (self.opening.order, self.comm.rank());
         let grow =
             |(&end, &owner): (&Cell, &usize)| (owner == me).then(|| Octree::branch(order, end, within(end, sorted)));
         let mut branches: Vec<Option<Octree>> = self.ends.par_iter().zip(self.owners).map(grow).collect();
-        let heads = self.share_heads(&branches);
-        self.receive_parts(&mut branches, &heads);
+        let heads = self.share_heads(&branches).await;
+        self.receive_parts(&mut branches, &heads).await;
         self.assembled(&branches, &heads)
     }
 
@@ -184,7 +189,7 @@ impl Forest<'_> {
     }
 
     /// Of all branches, on all ranks: one rank has each and the others add zeros to its bits.
-    fn share_heads(&self, branches: &[Option<Octree>]) -> Vec<Head> {
+    async fn share_heads(&self, branches: &[Option<Octree>]) -> Vec<Head> {
         let order = self.opening.order;
         let mut words: Vec<i64> = Vec::new();
         let width = Node::WORDS + row(order) + Openers::WORDS;
@@ -198,7 +203,7 @@ impl Forest<'_> {
                 None => words.resize(words.len() + width, 0),
             }
         }
-        self.comm.all_sum(&mut words);
+        let words = self.comm.all_sum_later(words).await;
         let head = |words: &[i64]| Head {
             node: bytemuck::pod_read_unaligned(bytemuck::cast_slice(&words[..Node::WORDS])),
             row: bytemuck::cast_slice(&words[Node::WORDS..Node::WORDS + row(order)]).to_vec(),
@@ -209,7 +214,7 @@ impl Forest<'_> {
 
     /// Sends each rank the parts of this rank's branches that cells of its own can open, and puts those that come into
     /// `branches`.
-    fn receive_parts(&self, branches: &mut [Option<Octree>], heads: &[Head]) {
+    async fn receive_parts(&self, branches: &mut [Option<Octree>], heads: &[Head]) {
         let me = self.comm.rank();
         if self.comm.size() == 1 {
             return;
@@ -227,8 +232,9 @@ impl Forest<'_> {
                     let r2 = distance2(&top.centre, &node.centre);
                     top.level < node.level || self.opening.is_far(r2, &top.side, &node.side)
                 };
-                theirs.iter().all(|&k| heads[k].openers.see_as_one(self.ends[k], node, self.opening))
-                    && tops.iter().all(sees_as_one)
+                node.side.mass == 0.0
+                    || theirs.iter().all(|&k| heads[k].openers.see_as_one(self.ends[k], node, self.opening))
+                        && tops.iter().all(sees_as_one)
             };
             let mut words: Vec<u64> = Vec::new();
             for (index, branch) in branches.iter().enumerate() {
@@ -243,7 +249,7 @@ impl Forest<'_> {
                 messages.push((rank, words));
             }
         }
-        for (_, words) in self.comm.sparse_exchange(messages) {
+        for (_, words) in self.comm.sparse_exchange_later(messages).await {
             let mut rest = words.as_slice();
             while let [index, nodes, bodies, after @ ..] = rest {
                 let (part, after) = read_part(self.opening.order, (*nodes as usize, *bodies as usize), after);

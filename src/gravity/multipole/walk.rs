@@ -121,6 +121,9 @@ impl<'a> Walker<'a> {
 
     fn sort(&mut self, sink: usize, source: usize) {
         let (a, b) = (&self.tree.nodes[sink], &self.tree.nodes[source]);
+        if b.side.mass == 0.0 {
+            return;
+        }
         let r2 = distance2(&a.centre, &b.centre);
         if self.opening.is_far(r2, &a.side, &b.side) {
             self.far.push(source * row(self.opening.order));

@@ -6,8 +6,8 @@ use crate::math::Vec3;
 /// Halvings of the root cube; a key has three bits for each.
 pub const DEEPEST: u32 = 21;
 
-/// The cube that holds all sources: its side is a power of two and its place the least corner of them all, so that it
-/// depends on nothing but the sources.
+/// The cube that holds all bodies: its side is a power of two and its place the least corner of them all, so that it
+/// depends on nothing but them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Root {
     corner: Vec3,
@@ -17,17 +17,17 @@ pub struct Root {
 
 impl Root {
     /// Collective.
-    pub fn around<'a>(comm: &Comm, positions: impl Iterator<Item = &'a [f64; 3]>) -> Self {
-        let mut ends = [f64::INFINITY; 6];
+    pub async fn around<'a>(comm: &Comm, positions: impl Iterator<Item = &'a [f64; 3]>) -> Self {
+        let mut ends = vec![f64::INFINITY; 6];
         for p in positions {
             for k in 0..3 {
                 ends[k] = ends[k].min(p[k]);
                 ends[3 + k] = ends[3 + k].min(-p[k]);
             }
         }
-        comm.all_min(&mut ends);
+        let ends = comm.all_min_later(ends).await;
         let extent = (0..3).map(|k| -ends[3 + k] - ends[k]).fold(0.0, f64::max);
-        // extent = f 2^e with f in [1/2, 1): the cube is larger than the sources, and no more than twice.
+        // extent = f 2^e with f in [1/2, 1): the cube is larger than their box, and no more than twice.
         let side = libm::ldexp(1.0, libm::frexp(extent).1);
         Self { corner: Vec3::new(ends[0], ends[1], ends[2]), side }
     }
