@@ -9,8 +9,7 @@
 //! what gravity has done stays known. It acts on accelerations before prescribed motion does, so that what holds a particle also
 //! bears its weight. Over time uniform gravity gives all matter the momentum M g t; particles among each other give none.
 //!
-//! Columns, of own gravity only: `gravity`, `gravitational_potential`, kept between evaluations. Where these are rarer than steps,
-//! pairs are summed while one is under way, and it counts from the next step on; else pairs wait for it.
+//! Columns, of own gravity only: `gravity`, `gravitational_potential`, kept between evaluations, which may be rarer than steps;
 //! where uniform gravity acts along a period: `rounds`, n.
 //! Time step: that of all accelerations.
 

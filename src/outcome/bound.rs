@@ -3,9 +3,10 @@
 //! members have mass M, velocity V and potential phi(x) if their relative motion is bound (two-body energy over the
 //! reduced mass):  |v - V|^2 / 2 + (1 + m / M) phi(x) < 0.
 //!
-//! The aggregate starts from the largest fragment; and, as rubble may have none worth the name, once more from all that is
-//! bound in the potential of everything to the deepest place in it. That moves as the pieces around it do on average: any one of
-//! them may be faster than the speed of escape, where pores collapse. The more massive result counts.
+//! The aggregate starts from the largest fragment; and, as rubble may have none worth the name, again from all that is bound in the
+//! potential of everything to the deepest place in it, which moves as the pieces around it do on average. Where that flies off, as
+//! matter does whose pores have collapsed, or is one of two piles, the deepest place elsewhere is next. The most massive result
+//! counts.
 
 use super::Piece;
 use crate::domain::comm::Comm;
@@ -17,6 +18,8 @@ const FREE_PASSES: usize = 30;
 /// Pieces count for the motion of the deepest place within so many sizes, cube roots of its volume, of the piece that lies there: with
 /// particles these are the hundred nearest.
 const AROUND: f64 = 3.0;
+/// Places from which aggregates of rubble are grown, at most.
+const PLACES: usize = 6;
 /// Potentials are right to 1e-3, speeds of escape to half of that.
 const OPENING: Opening = Opening { angle: 0.7, accuracy: f64::INFINITY, order: 4 };
 
@@ -40,7 +43,7 @@ pub fn largest(comm: &Comm, pieces: &[Piece], free: &[bool]) -> Aggregate {
     if from_fragment.mass > 0.5 * search.sum(free).0 {
         return from_fragment;
     }
-    let from_rubble = search.grow(search.bound_to_the_deepest());
+    let from_rubble = search.rubble();
     if from_rubble.mass > from_fragment.mass { from_rubble } else { from_fragment }
 }
 
@@ -90,26 +93,43 @@ impl Search<'_> {
         Aggregate { members, mass }
     }
 
-    /// All that is bound, in the potential of all free pieces, to the deepest place in it.
-    fn bound_to_the_deepest(&self) -> Vec<bool> {
+    /// The most massive aggregate that grows from a place deep in the potential of all free pieces.
+    fn rubble(&self) -> Aggregate {
         let mut potential = vec![0.0; self.pieces.len()];
         self.update_potential(&mut potential, &vec![false; self.pieces.len()], self.free);
-        let deepest = best(self.comm, self.pieces, self.chosen(self.free).map(|i| (-potential[i], i)));
-        let here = self.pieces.iter().find(|p| Some(p.label) == deepest);
-        let mut place = here.map_or([f64::NEG_INFINITY; 4], |p| {
-            [p.position.x, p.position.y, p.position.z, AROUND * libm::cbrt(p.volume)]
+        let (mut most, mut open) =
+            (Aggregate { members: vec![false; self.pieces.len()], mass: 0.0 }, self.free.to_vec());
+        for _ in 0..PLACES {
+            // Nothing that is left outweighs what has been found.
+            if most.mass >= self.sum(&open).0 {
+                break;
+            }
+            let Some(deepest) = best(self.comm, self.pieces, self.chosen(&open).map(|i| (-potential[i], i))) else {
+                break;
+            };
+            let around = self.around(deepest, &open);
+            let (mass, momentum) = self.sum(&around);
+            let is_bound = |i: usize| {
+                let motion = self.pieces[i].velocity - momentum / mass;
+                self.free[i] && (around[i] || 0.5 * motion.norm_squared() + potential[i] < 0.0)
+            };
+            let found = self.grow((0..self.pieces.len()).map(is_bound).collect());
+            (0..open.len()).for_each(|i| open[i] &= !(around[i] || found.members[i]));
+            most = if found.mass > most.mass { found } else { most };
+        }
+        most
+    }
+
+    /// The open pieces around one of them.
+    fn around(&self, label: u64, open: &[bool]) -> Vec<bool> {
+        let here = self.pieces.iter().find(|piece| piece.label == label);
+        let mut place = here.map_or([f64::NEG_INFINITY; 4], |piece| {
+            [piece.position.x, piece.position.y, piece.position.z, AROUND * libm::cbrt(piece.volume)]
         });
         self.comm.all_max(&mut place);
         let [x, y, z, reach] = place;
-        let is_near = |i: usize| self.free[i] && (self.pieces[i].position - Vec3::new(x, y, z)).norm() <= reach;
-        let (mass, momentum) = self.sum(&(0..self.pieces.len()).map(is_near).collect::<Vec<_>>());
-        let frame = momentum / mass;
-        let bound = |i: usize| {
-            let piece = &self.pieces[i];
-            let energy = 0.5 * (piece.velocity - frame).norm_squared() + potential[i];
-            self.free[i] && (Some(piece.label) == deepest || energy < 0.0)
-        };
-        (0..self.pieces.len()).map(bound).collect()
+        let is_near = |i: usize| open[i] && (self.pieces[i].position - Vec3::new(x, y, z)).norm() <= reach;
+        (0..self.pieces.len()).map(is_near).collect()
     }
 
     fn chosen(&self, members: &[bool]) -> impl Iterator<Item = usize> {

@@ -22,6 +22,8 @@ use crate::particles::{Column, Columns, ParticleId, Periods, large_pages};
 
 /// Chunks between two looks at the messages on their way.
 const CHUNKS_PER_POLL: usize = 8;
+/// Pairs are summed while gravity is evaluated where it is kept for this many steps at least: it then counts a step later.
+const STEPS_TO_OVERLAP: f64 = 8.0;
 
 /// Everything a scene decides about a substep.
 pub struct StepSettings {
@@ -297,7 +299,8 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let matter = Matter { id: core.id, position: core.position, mass_and_softening: &mass_and_softening };
         let evaluation = own.evaluation(&self.columns, &matter, first, self.comm);
         self.phases.add(Phase::Gravity, start);
-        if !first && own.interval > 0.0 {
+        // What counts a step later must not be much older for it.
+        if !first && own.interval >= STEPS_TO_OVERLAP * dt {
             return Some(evaluation);
         }
         self.finish_gravity(evaluation);

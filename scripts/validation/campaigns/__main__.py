@@ -14,7 +14,7 @@ import page
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 RUNS = ROOT / "runs" / "campaigns"
-CAMPAIGNS = ["strength", "strength_viscosity", "strength_speed", "strength_resolution", "radius"]
+CAMPAIGNS = ["strength", "strength_viscosity", "strength_speed", "strength_resolution", "radius", "radius_contact"]
 HEAD = """# Campaigns: Q*_D over radius and strength
 
 Written by `scripts/validate_campaigns`, which runs `inputs/campaigns/`: impacts at 45 degrees from the normal, 2e4 particles unless said
@@ -123,8 +123,8 @@ def by_scene(rows):
 def by_viscosity(rows):
     """Families of strength_viscosity are `alpha 0.1, friction`."""
     alphas = list(dict.fromkeys(row["family"].split(", ")[0] for row in rows))
-    head = ["viscosity", *(name for name, *_ in FACTORS[:2])]
-    lines = [[alpha, *(words(quotient(one(rows, f"{alpha}, {a}"), one(rows, f"{alpha}, {b}"))) for _, a, b in FACTORS[:2])] for alpha in alphas]
+    head = ["viscosity", *(name for name, *_ in FACTORS)]
+    lines = [[alpha, *(words(quotient(one(rows, f"{alpha}, {a}"), one(rows, f"{alpha}, {b}"))) for _, a, b in FACTORS)] for alpha in alphas]
     return page.table(head, lines)
 
 
@@ -159,6 +159,18 @@ def regimes(rows):
     return page.table(head, lines)
 
 
+def by_geometry(centre, contact):
+    """Q*_D over Benz & Asphaug 1999 for the two places where 45 degrees are measured."""
+    head = ["target", "radius", "projectile / target radius at Q*_D", "over Benz & Asphaug, at the centre's path", "at contact"]
+    lines = []
+    for row in sorted(contact, key=lambda row: (row["family"], row["radius"])):
+        other = one(centre, row["family"], radius=row["radius"])
+        ratio = lambda found: f"{found['ratio_to_reference']:.2f}" if found and found["q_star_d"] else "none"
+        size = f"{(2 * other['q_star_d'] / other['speed'] ** 2) ** (1 / 3):.2f}" if other and other["q_star_d"] else "–"
+        lines.append([row["family"], f"{row['radius'] / 1000:g} km", size, ratio(other), ratio(row)])
+    return page.table(head, lines)
+
+
 def keep(campaign):
     figure = RUNS / campaign / "q_star.png"
     if figure.exists():
@@ -181,7 +193,7 @@ def main():
         parts.append("## What strength, friction, pores and cohesion do (Jutzi 2015)\n\n" + statements(strength))
         parts.append(thresholds(strength))
     if rows := there("strength_viscosity"):
-        parts.append("## Friction and pores: artificial viscosity, 10 km, 5 km/s\n\n" + by_viscosity(rows))
+        parts.append("## Friction and pores: artificial viscosity (1.5 above), 10 km, 5 km/s\n\n" + by_viscosity(rows))
         parts.append(thresholds(rows))
     if rows := without_scene(there("strength_speed")):
         parts.append("## Friction and pores: speed and size\n\n" + by_scene(rows))
@@ -192,6 +204,9 @@ def main():
     if rows := there("radius"):
         parts.append("## Q*_D over the radius\n\n" + regimes(rows) + "\n\n" + keep("radius"))
         parts.append(thresholds(rows))
+        if contact := there("radius_contact"):
+            parts.append("### Where 45 degrees are measured\n\n" + by_geometry(rows, contact))
+            parts.append(thresholds(contact))
     judgement = pathlib.Path(__file__).with_name("judgement.md")
     if judgement.exists():
         parts.append(judgement.read_text().strip())
