@@ -18,8 +18,6 @@ const FREE_PASSES: usize = 30;
 /// Pieces count for the motion of the deepest place within so many sizes, cube roots of its volume, of the piece that lies there: with
 /// particles these are the hundred nearest.
 const AROUND: f64 = 3.0;
-/// Places from which aggregates of rubble are grown, at most.
-const PLACES: usize = 6;
 /// Potentials are right to 1e-3, speeds of escape to half of that.
 const OPENING: Opening = Opening { angle: 0.7, accuracy: f64::INFINITY, order: 4 };
 
@@ -32,8 +30,8 @@ pub struct Aggregate {
     pub mass: f64,
 }
 
-/// The most massive aggregate among the pieces that are `free`. Collective.
-pub fn largest(comm: &Comm, pieces: &[Piece], free: &[bool]) -> Aggregate {
+/// The most massive aggregate among the pieces that are `free`; one of rubble grows from so many `places` at most. Collective.
+pub fn largest(comm: &Comm, pieces: &[Piece], free: &[bool], places: usize) -> Aggregate {
     let search = Search { comm, pieces, free };
     let fragments = (0..pieces.len()).filter(|&i| free[i] && pieces[i].count > 1);
     let from_fragment = match best(comm, pieces, fragments.map(|i| (pieces[i].mass, i))) {
@@ -43,7 +41,7 @@ pub fn largest(comm: &Comm, pieces: &[Piece], free: &[bool]) -> Aggregate {
     if from_fragment.mass > 0.5 * search.sum(free).0 {
         return from_fragment;
     }
-    let from_rubble = search.rubble();
+    let from_rubble = search.rubble(places);
     if from_rubble.mass > from_fragment.mass { from_rubble } else { from_fragment }
 }
 
@@ -70,12 +68,9 @@ impl Search<'_> {
         let mut potential = vec![0.0; self.pieces.len()];
         let (mut next, mut mass) = (seed, 0.0);
         for pass in 0.. {
-            let mut changed = [if next == members { 0.0 } else { 1.0 }];
-            self.comm.all_max(&mut changed);
-            if changed[0] == 0.0 {
+            if !self.update_potential(&mut potential, &members, &next) {
                 break;
             }
-            self.update_potential(&mut potential, &members, &next);
             members = next;
             let momentum;
             (mass, momentum) = self.sum(&members);
@@ -94,12 +89,12 @@ impl Search<'_> {
     }
 
     /// The most massive aggregate that grows from a place deep in the potential of all free pieces.
-    fn rubble(&self) -> Aggregate {
+    fn rubble(&self, places: usize) -> Aggregate {
         let mut potential = vec![0.0; self.pieces.len()];
         self.update_potential(&mut potential, &vec![false; self.pieces.len()], self.free);
         let (mut most, mut open) =
             (Aggregate { members: vec![false; self.pieces.len()], mass: 0.0 }, self.free.to_vec());
-        for _ in 0..PLACES {
+        for _ in 0..places {
             // Nothing that is left outweighs what has been found.
             if most.mass >= self.sum(&open).0 {
                 break;
@@ -150,10 +145,16 @@ impl Search<'_> {
     }
 
     /// Brings the potential of the members at every free piece, itself left out (J/kg), from one membership to the next: it is
-    /// linear in them, and after the first pass few change.
-    fn update_potential(&self, potential: &mut [f64], before: &[bool], after: &[bool]) {
+    /// linear in them, and after the first pass few change. Whether any did.
+    fn update_potential(&self, potential: &mut [f64], before: &[bool], after: &[bool]) -> bool {
         let free: Vec<usize> = self.chosen(self.free).collect();
-        for (from, to, sign) in [(before, after, 1.0), (after, before, -1.0)] {
+        let some = |from: &[bool], to: &[bool]| free.iter().any(|&i| to[i] && !from[i]) as u8 as f64;
+        let mut changes = [some(before, after), some(after, before)];
+        self.comm.all_max(&mut changes);
+        for (from, to, sign, change) in [(before, after, 1.0, changes[0]), (after, before, -1.0, changes[1])] {
+            if change == 0.0 {
+                continue;
+            }
             let body = |&i: &usize| {
                 let piece = &self.pieces[i];
                 let mass = if to[i] && !from[i] { piece.mass } else { 0.0 };
@@ -165,5 +166,6 @@ impl Search<'_> {
                 potential[i] += sign * field.potential;
             }
         }
+        changes != [0.0; 2]
     }
 }

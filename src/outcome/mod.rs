@@ -28,6 +28,8 @@ use tally::{Scale, Tally};
 pub const LINK_DAMAGE: f64 = 0.9;
 /// The stricter threshold whose outcome is reported beside it.
 pub const STRICT_DAMAGE: f64 = 0.5;
+/// Places at which the largest remnant of rubble is looked for, at most.
+const PLACES: usize = 4;
 
 /// A particle as the outcome sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -167,10 +169,22 @@ pub fn evaluate(comm: &Comm, particles: &[Particle], question: &Question) -> Eva
     let total = tally::total(comm, &scale, particles.iter().copied());
     let total_mass = total.mass(&scale);
     let over_target = |mass: f64| mass / question.target_mass;
-    let usual = Remnants::find(comm, particles, &scale, (LINK_DAMAGE, question));
-    let strict = Remnants::find(comm, particles, &scale, (STRICT_DAMAGE, question));
+    let [usual, strict] =
+        [LINK_DAMAGE, STRICT_DAMAGE].map(|damage| fragments::labels(comm, particles, fragments::Link::Intact(damage)));
+    let mut differ = [(usual != strict) as u8 as f64];
+    comm.all_max(&mut differ);
+    let usual = Remnants::find(comm, particles, &scale, &usual, question);
+    let with_strict_links = |found: &Remnants| Strict {
+        largest_remnant_fraction: over_target(found.mass),
+        largest_fragment_fraction: over_target(found.largest_fragment),
+        fragments: found.fragments,
+    };
+    let strict = match differ {
+        [0.0] => with_strict_links(&usual),
+        _ => with_strict_links(&Remnants::find(comm, particles, &scale, &strict, question)),
+    };
     let others: Vec<bool> = usual.in_largest.iter().map(|member| !member).collect();
-    let second = usual.largest_of(comm, &others, question).0;
+    let second = usual.largest_of(comm, &others, 1, question).0;
     let outcome = Outcome {
         target_mass: question.target_mass,
         total_mass,
@@ -180,11 +194,7 @@ pub fn evaluate(comm: &Comm, particles: &[Particle], question: &Question) -> Eva
         largest_fragment_fraction: over_target(usual.largest_fragment),
         fragments: usual.fragments,
         unbound_mass: (total_mass - usual.mass).max(0.0),
-        strict: Strict {
-            largest_remnant_fraction: over_target(strict.mass),
-            largest_fragment_fraction: over_target(strict.largest_fragment),
-            fragments: strict.fragments,
-        },
+        strict,
     };
     let frame = (total.position(&scale), total.velocity(&scale));
     Evaluation { outcome, pieces: usual.pieces, in_largest: usual.in_largest, frame }
@@ -200,9 +210,9 @@ struct Remnants {
 }
 
 impl Remnants {
-    fn find(comm: &Comm, particles: &[Particle], scale: &Scale, (damage, question): (f64, &Question)) -> Self {
-        let labels = fragments::labels(comm, particles, fragments::Link::Intact(damage));
-        let pieces = fragments::pieces(comm, scale, particles, &labels);
+    /// `labels`: of the fragment that each particle belongs to, if any.
+    fn find(comm: &Comm, particles: &[Particle], scale: &Scale, labels: &[Option<u64>], question: &Question) -> Self {
+        let pieces = fragments::pieces(comm, scale, particles, labels);
         let is_fragment = |piece: &&Piece| piece.count > 1;
         let mut count = [pieces.iter().filter(is_fragment).count() as i64];
         comm.all_sum(&mut count);
@@ -212,14 +222,14 @@ impl Remnants {
         let mut found =
             Self { pieces, in_largest: nothing, mass: 0.0, largest_fragment: largest[0], fragments: count[0] as u64 };
         let all = vec![true; found.pieces.len()];
-        (found.mass, found.in_largest) = found.largest_of(comm, &all, question);
+        (found.mass, found.in_largest) = found.largest_of(comm, &all, PLACES, question);
         found
     }
 
-    /// Mass and members of the largest remnant among free pieces.
-    fn largest_of(&self, comm: &Comm, free: &[bool], question: &Question) -> (f64, Vec<bool>) {
+    /// Mass and members of the largest remnant among free pieces; that of rubble is looked for in so many places.
+    fn largest_of(&self, comm: &Comm, free: &[bool], places: usize, question: &Question) -> (f64, Vec<bool>) {
         if question.dimension == 3 {
-            let aggregate = bound::largest(comm, &self.pieces, free);
+            let aggregate = bound::largest(comm, &self.pieces, free, places);
             return (aggregate.mass, aggregate.members);
         }
         let figures = (0..free.len()).filter(|&i| free[i]).map(|i| (self.pieces[i].mass, i));
