@@ -151,7 +151,7 @@ behind the compaction shock, its speed, the precursor's pressure and speed. In t
 finest spacing: {allowed}. Fronts start a spacing late and stay so: their speeds converge with order one. Behind a shock that squeezes the
 lattice along one axis by a fifth, sums are off by half a per cent in pressure at any spacing. At alpha_0 = 3 the layer behind the shock is a
 third as thick as what it was. At 1000 m/s the shock is 8 per cent slower than the precursor, whose weak front viscosity spreads with the root of time. That they
-part takes a column three times as long and alpha = 0.5, hence steps of a third: energy of vibrating particles goes with 1 / alpha^1.5.
+part takes a column three times as long and alpha = 0.5, hence steps of a third: particles vibrate more, and lose three times the energy.
 
 {page.table(head, rows)}
 

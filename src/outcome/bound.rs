@@ -3,21 +3,21 @@
 //! members have mass M, velocity V and potential phi(x) if their relative motion is bound (two-body energy over the
 //! reduced mass):  |v - V|^2 / 2 + (1 + m / M) phi(x) < 0.
 //!
-//! The aggregate starts from the largest fragment; and, as rubble may have none worth the name, again from all that is bound in the
-//! potential of everything to the deepest place in it, which moves as the pieces around it do on average. Where that flies off, as
-//! matter does whose pores have collapsed, or is one of two piles, the deepest place elsewhere is next. The most massive result
-//! counts.
+//! The aggregate starts from the largest fragment; and, as rubble may have none worth the name, once more from what is bound, in the
+//! potential of everything, to the motion of one of its pieces: of a sample of them, the one to which most is bound. The more massive
+//! result counts. (The piece at the deepest place will not do: where pores collapse, that place may fly off. Nor will the motion
+//! of everything: two piles that part are each bound to itself, and would count as one.)
 
 use super::Piece;
 use crate::domain::comm::Comm;
 use crate::gravity::{Body, Opening, solve};
 use crate::math::{ExactSum, Vec3};
+use crate::random::uniform;
 
 /// Passes in which pieces may join as well as leave; later they only leave, so that the search ends.
 const FREE_PASSES: usize = 30;
-/// Pieces count for the motion of the deepest place within so many sizes, cube roots of its volume, of the piece that lies there: with
-/// particles these are the hundred nearest.
-const AROUND: f64 = 3.0;
+/// Pieces of the sample whose motions are tried: a remnant of a tenth of everything is missed once in a thousand times.
+const SAMPLE: usize = 64;
 /// Potentials are right to 1e-3, speeds of escape to half of that.
 const OPENING: Opening = Opening { angle: 0.7, accuracy: f64::INFINITY, order: 4 };
 
@@ -30,8 +30,8 @@ pub struct Aggregate {
     pub mass: f64,
 }
 
-/// The most massive aggregate among the pieces that are `free`; one of rubble grows from so many `places` at most. Collective.
-pub fn largest(comm: &Comm, pieces: &[Piece], free: &[bool], places: usize) -> Aggregate {
+/// The most massive aggregate among the pieces that are `free`. Collective.
+pub fn largest(comm: &Comm, pieces: &[Piece], free: &[bool]) -> Aggregate {
     let search = Search { comm, pieces, free };
     let fragments = (0..pieces.len()).filter(|&i| free[i] && pieces[i].count > 1);
     let from_fragment = match best(comm, pieces, fragments.map(|i| (pieces[i].mass, i))) {
@@ -41,7 +41,7 @@ pub fn largest(comm: &Comm, pieces: &[Piece], free: &[bool], places: usize) -> A
     if from_fragment.mass > 0.5 * search.sum(free).0 {
         return from_fragment;
     }
-    let from_rubble = search.rubble(places);
+    let from_rubble = search.grow(search.rubble());
     if from_rubble.mass > from_fragment.mass { from_rubble } else { from_fragment }
 }
 
@@ -88,43 +88,41 @@ impl Search<'_> {
         Aggregate { members, mass }
     }
 
-    /// The most massive aggregate that grows from a place deep in the potential of all free pieces.
-    fn rubble(&self, places: usize) -> Aggregate {
+    /// What is bound to the motion of that piece of the sample to which most is bound, in the potential of all free pieces.
+    fn rubble(&self) -> Vec<bool> {
         let mut potential = vec![0.0; self.pieces.len()];
         self.update_potential(&mut potential, &vec![false; self.pieces.len()], self.free);
-        let (mut most, mut open) =
-            (Aggregate { members: vec![false; self.pieces.len()], mass: 0.0 }, self.free.to_vec());
-        for _ in 0..places {
-            // Nothing that is left outweighs what has been found.
-            if most.mass >= self.sum(&open).0 {
-                break;
-            }
-            let Some(deepest) = best(self.comm, self.pieces, self.chosen(&open).map(|i| (-potential[i], i))) else {
-                break;
-            };
-            let around = self.around(deepest, &open);
-            let (mass, momentum) = self.sum(&around);
-            let is_bound = |i: usize| {
-                let motion = self.pieces[i].velocity - momentum / mass;
-                self.free[i] && (around[i] || 0.5 * motion.norm_squared() + potential[i] < 0.0)
-            };
-            let found = self.grow((0..self.pieces.len()).map(is_bound).collect());
-            (0..open.len()).for_each(|i| open[i] &= !(around[i] || found.members[i]));
-            most = if found.mass > most.mass { found } else { most };
+        let motions = self.sample();
+        let is_bound = |i: usize, motion: &Vec3| {
+            self.free[i] && 0.5 * (self.pieces[i].velocity - motion).norm_squared() + potential[i] < 0.0
+        };
+        let mut bound = [const { ExactSum::new() }; SAMPLE];
+        for (sum, motion) in bound.iter_mut().zip(&motions) {
+            let members = (0..self.pieces.len()).filter(|&i| is_bound(i, motion));
+            members.for_each(|i| sum.add(self.pieces[i].mass));
         }
-        most
+        let masses = super::all_values(self.comm, &mut bound);
+        let best = (0..SAMPLE).fold(0, |best, k| if masses[k] > masses[best] { k } else { best });
+        (0..self.pieces.len()).map(|i| motions.get(best).is_some_and(|motion| is_bound(i, motion))).collect()
     }
 
-    /// The open pieces around one of them.
-    fn around(&self, label: u64, open: &[bool]) -> Vec<bool> {
-        let here = self.pieces.iter().find(|piece| piece.label == label);
-        let mut place = here.map_or([f64::NEG_INFINITY; 4], |piece| {
-            [piece.position.x, piece.position.y, piece.position.z, AROUND * libm::cbrt(piece.volume)]
-        });
-        self.comm.all_max(&mut place);
-        let [x, y, z, reach] = place;
-        let is_near = |i: usize| open[i] && (self.pieces[i].position - Vec3::new(x, y, z)).norm() <= reach;
-        (0..self.pieces.len()).map(is_near).collect()
+    /// Velocities of free pieces that chance has chosen, the same on any number of ranks; as many as there are, if fewer.
+    fn sample(&self) -> Vec<Vec3> {
+        let lot = |label: u64| uniform(0, label, 0).to_bits();
+        let words = |i: usize| {
+            let Piece { label, velocity, .. } = &self.pieces[i];
+            [lot(*label), *label, velocity.x.to_bits(), velocity.y.to_bits(), velocity.z.to_bits()]
+        };
+        let first = |mut drawn: Vec<[u64; 5]>| {
+            drawn.sort_unstable();
+            drawn.truncate(SAMPLE);
+            drawn
+        };
+        let mut mine = first(self.chosen(self.free).map(words).collect());
+        mine.resize(SAMPLE, [u64::MAX; 5]);
+        let drawn = first(self.comm.all_gather(&mine));
+        let velocity = |w: &[u64; 5]| Vec3::new(f64::from_bits(w[2]), f64::from_bits(w[3]), f64::from_bits(w[4]));
+        drawn.iter().filter(|w| w[0] != u64::MAX).map(velocity).collect()
     }
 
     fn chosen(&self, members: &[bool]) -> impl Iterator<Item = usize> {

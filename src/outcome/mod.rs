@@ -28,8 +28,6 @@ use tally::{Scale, Tally};
 pub const LINK_DAMAGE: f64 = 0.9;
 /// The stricter threshold whose outcome is reported beside it.
 pub const STRICT_DAMAGE: f64 = 0.5;
-/// Places at which the largest remnant of rubble is looked for, at most.
-const PLACES: usize = 4;
 
 /// A particle as the outcome sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -184,7 +182,7 @@ pub fn evaluate(comm: &Comm, particles: &[Particle], question: &Question) -> Eva
         _ => with_strict_links(&Remnants::find(comm, particles, &scale, &strict, question)),
     };
     let others: Vec<bool> = usual.in_largest.iter().map(|member| !member).collect();
-    let second = usual.largest_of(comm, &others, 1, question).0;
+    let second = usual.largest_of(comm, &others, question).0;
     let outcome = Outcome {
         target_mass: question.target_mass,
         total_mass,
@@ -222,14 +220,14 @@ impl Remnants {
         let mut found =
             Self { pieces, in_largest: nothing, mass: 0.0, largest_fragment: largest[0], fragments: count[0] as u64 };
         let all = vec![true; found.pieces.len()];
-        (found.mass, found.in_largest) = found.largest_of(comm, &all, PLACES, question);
+        (found.mass, found.in_largest) = found.largest_of(comm, &all, question);
         found
     }
 
-    /// Mass and members of the largest remnant among free pieces; that of rubble is looked for in so many places.
-    fn largest_of(&self, comm: &Comm, free: &[bool], places: usize, question: &Question) -> (f64, Vec<bool>) {
+    /// Mass and members of the largest remnant among free pieces.
+    fn largest_of(&self, comm: &Comm, free: &[bool], question: &Question) -> (f64, Vec<bool>) {
         if question.dimension == 3 {
-            let aggregate = bound::largest(comm, &self.pieces, free, places);
+            let aggregate = bound::largest(comm, &self.pieces, free);
             return (aggregate.mass, aggregate.members);
         }
         let figures = (0..free.len()).filter(|&i| free[i]).map(|i| (self.pieces[i].mass, i));

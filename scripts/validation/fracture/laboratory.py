@@ -45,7 +45,7 @@ def frictional(n, seed):
                [f"target.particles={n}", f"material.basalt.fracture.seed={seed}", "material.basalt.strength.collins=true"])
 
 
-BOTH = [(MIDDLE, 1), (MIDDLE, 2), (MIDDLE, 3), (100000, 1)]
+BOTH = [(MIDDLE, 1), (MIDDLE, 2), (MIDDLE, 3)]
 """Resolutions and seeds of flaws for which both strengths are run."""
 
 
