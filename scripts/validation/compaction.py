@@ -151,7 +151,8 @@ behind the compaction shock, its speed, the precursor's pressure and speed. In t
 finest spacing: {allowed}. Fronts start a spacing late and stay so: their speeds converge with order one. Behind a shock that squeezes the
 lattice along one axis by a fifth, sums are off by half a per cent in pressure at any spacing. At alpha_0 = 3 the layer behind the shock is a
 third as thick as what it was. At 1000 m/s the shock is 8 per cent slower than the precursor, whose weak front viscosity spreads with the root of time. That they
-part takes a column three times as long and alpha = 0.5, hence steps of a third: particles vibrate more, and lose three times the energy.
+part takes a column three times as long and alpha = 0.5, hence steps of a third: particles vibrate more, and lose three times the energy. The paper's
+cylinder has a spacing of 87 um, and the error of its precursor's speed, 1.43 %, lies where 1.53, 0.69 and 0.32 % at 100, 50 and 25 um put it.
 
 {page.table(head, rows)}
 

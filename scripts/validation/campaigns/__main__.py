@@ -141,7 +141,7 @@ def slope(rows):
 
 SLOPES = {"basalt, 5 km/s": (-0.36, 1.36), "basalt, 3 km/s": (-0.38, 1.36), "ice, 3 km/s": (-0.39, 1.26)}
 """Of Benz & Asphaug 1999: strength, gravity."""
-ALONE = 150.0, 5000.0
+ALONE = 40.0, 5000.0
 """Up to this radius strength alone decides, from that on gravity, m."""
 
 
