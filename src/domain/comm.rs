@@ -1,17 +1,21 @@
-//! The only file that names MPI. Ranks talk through a handful of verbs; everything irregular goes through one sparse
+//! The only module that names MPI. Ranks talk through a handful of verbs; everything irregular goes through one sparse
 //! exchange. Minima, maxima and integer sums are the only reductions: no order of arrival can change them.
 
 use std::cell::{Cell, RefCell};
 use std::ffi::{CStr, CString};
-use std::pin::Pin;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::task::{Context, Poll, Waker};
+use std::task::{Context, Poll};
 use std::time::Instant;
 
 use bytemuck::Pod;
 use mpi::ffi;
 use mpi::raw::AsRaw;
 use mpi::traits::*;
+
+mod overlap;
+
+pub use overlap::{Overlapped, now};
+use overlap::{Reduction, Request, Round};
 
 /// Messages longer than this many bytes go in pieces, as MPI counts are 32-bit.
 const PIECE: usize = 1 << 30;
@@ -393,144 +397,6 @@ impl Comm {
     pub fn finish(mut self) {
         self.free_file_hints();
         self.universe.take();
-    }
-}
-
-/// Work with waits for other ranks, done at once.
-pub fn now<T>(work: impl Future<Output = T>) -> T {
-    match std::pin::pin!(work).poll(&mut Context::from_waker(Waker::noop())) {
-        Poll::Ready(found) => found,
-        Poll::Pending => unreachable!("waits end where nothing overlaps"),
-    }
-}
-
-/// Work with waits for other ranks that goes on bit by bit, while this rank does something else. All ranks have the same work
-/// under way, one at a time, and no other reductions or sparse exchanges until it is finished.
-pub struct Overlapped<'a, T> {
-    comm: &'a Comm,
-    work: Pin<Box<dyn Future<Output = T> + 'a>>,
-    found: Option<T>,
-}
-
-impl<'a, T> Overlapped<'a, T> {
-    pub fn new(comm: &'a Comm, work: impl Future<Output = T> + 'a) -> Self {
-        Self { comm, work: Box::pin(work), found: None }
-    }
-
-    /// Goes on as far as messages have come.
-    pub fn go_on(&mut self) {
-        if self.found.is_none() {
-            self.comm.overlaps.set(true);
-            if let Poll::Ready(found) = self.work.as_mut().poll(&mut Context::from_waker(Waker::noop())) {
-                self.found = Some(found);
-            }
-            self.comm.overlaps.set(false);
-        }
-    }
-
-    /// Waits for the rest.
-    pub fn finish(self) -> T {
-        self.found.unwrap_or_else(|| now(self.work))
-    }
-}
-
-/// A request of its own; buffers in use by it must outlive it.
-struct Request(ffi::MPI_Request);
-
-impl Request {
-    fn none() -> Self {
-        // SAFETY: a constant of the MPI library.
-        Self(unsafe { ffi::RSMPI_REQUEST_NULL })
-    }
-
-    fn is_done(&mut self) -> bool {
-        let mut flag = 0;
-        // SAFETY: the request is valid or null; null ones are done.
-        unsafe { ffi::MPI_Test(&mut self.0, &mut flag, &mut std::mem::zeroed()) };
-        flag != 0
-    }
-}
-
-impl Drop for Request {
-    fn drop(&mut self) {
-        while !self.is_done() {}
-    }
-}
-
-/// A reduction under way; the request goes first.
-struct Reduction<T> {
-    request: Request,
-    mine: Vec<T>,
-    all: Vec<T>,
-}
-
-/// A round of the sparse exchange under way; requests go first.
-struct Round<'a> {
-    requests: Vec<Request>,
-    barrier: Option<Request>,
-    comm: &'a Comm,
-    tag: i32,
-    /// Each message with its length, which is announced first.
-    _outgoing: Vec<(Box<u64>, Vec<u64>)>,
-}
-
-impl<'a> Round<'a> {
-    fn start(comm: &'a Comm, messages: Vec<(usize, Vec<u64>)>, tag: i32) -> Self {
-        let (mut requests, mut outgoing) = (Vec::new(), Vec::new());
-        for (to, words) in messages {
-            let header = Box::new(words.len() as u64);
-            let (to, byte, mut request) = (to as i32, unsafe { ffi::RSMPI_UINT8_T }, Request::none());
-            // SAFETY: header and words stay where they are until the requests, which go before them, are done.
-            unsafe { ffi::MPI_Issend((&raw const *header).cast(), 8, byte, to, tag, comm.raw, &mut request.0) };
-            requests.push(request);
-            for piece in bytemuck::cast_slice::<u64, u8>(&words).chunks(PIECE) {
-                let (from, length, mut request) = (piece.as_ptr().cast(), piece.len() as i32, Request::none());
-                // SAFETY: as above.
-                unsafe { ffi::MPI_Isend(from, length, byte, to, tag + 2, comm.raw, &mut request.0) };
-                requests.push(request);
-                comm.sent.set(comm.sent.get() + piece.len() as u64);
-            }
-            outgoing.push((header, words));
-        }
-        Self { requests, barrier: None, comm, tag, _outgoing: outgoing }
-    }
-
-    /// Takes what has come; whether the round is over.
-    fn go_on(&mut self, received: &mut Vec<(usize, Vec<u64>)>) -> bool {
-        while let Some(message) = self.next_message() {
-            received.push(message);
-        }
-        match &mut self.barrier {
-            Some(barrier) => barrier.is_done(),
-            None => {
-                if self.requests.iter_mut().all(Request::is_done) {
-                    let barrier = self.barrier.insert(Request::none());
-                    // SAFETY: the communicator is valid.
-                    unsafe { ffi::MPI_Ibarrier(self.comm.raw, &mut barrier.0) };
-                }
-                false
-            }
-        }
-    }
-
-    fn next_message(&self) -> Option<(usize, Vec<u64>)> {
-        let (raw, tag) = (self.comm.raw, self.tag);
-        // SAFETY: a message whose header has come is received whole, into a buffer of the length that it announces.
-        unsafe {
-            let (mut flag, mut status) = (0, std::mem::zeroed::<ffi::MPI_Status>());
-            ffi::MPI_Iprobe(ffi::RSMPI_ANY_SOURCE, tag, raw, &mut flag, &mut status);
-            if flag == 0 {
-                return None;
-            }
-            let (from, byte, mut header) = (status.MPI_SOURCE, ffi::RSMPI_UINT8_T, 0u64);
-            ffi::MPI_Recv((&raw mut header).cast(), 8, byte, from, tag, raw, &mut status);
-            let mut words = vec![0u64; header as usize];
-            for piece in bytemuck::cast_slice_mut::<u64, u8>(&mut words).chunks_mut(PIECE) {
-                let (to, length) = (piece.as_mut_ptr().cast(), piece.len() as i32);
-                ffi::MPI_Recv(to, length, byte, from, tag + 2, raw, &mut status);
-            }
-            Some((from as usize, words))
-        }
     }
 }
 

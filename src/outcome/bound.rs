@@ -3,10 +3,11 @@
 //! members have mass M, velocity V and potential phi(x) if their relative motion is bound (two-body energy over the
 //! reduced mass):  |v - V|^2 / 2 + (1 + m / M) phi(x) < 0.
 //!
-//! The aggregate starts from the largest fragment; and, as rubble may have none worth the name, once more from what is bound, in the
-//! potential of everything, to the motion of one of its pieces: of a sample of them, the one to which most is bound. The more massive
-//! result counts. (The piece at the deepest place will not do: where pores collapse, that place may fly off. Nor will the motion
-//! of everything: two piles that part are each bound to itself, and would count as one.)
+//! The aggregate starts from the largest fragment; and, as rubble may have none worth the name, once more from all that is bound, in the
+//! potential of everything, to the motion around the deepest place in it. Where next to nothing is, as that place flies off where
+//! pores collapse, it starts from what is bound to the motion of one piece: of a sample, the one to which most is. (Alone that would
+//! not do: to matter between two piles that part both are bound, each by itself, and would count as one.) The most massive result
+//! counts.
 
 use super::Piece;
 use crate::domain::comm::Comm;
@@ -16,6 +17,11 @@ use crate::random::uniform;
 
 /// Passes in which pieces may join as well as leave; later they only leave, so that the search ends.
 const FREE_PASSES: usize = 30;
+/// Pieces count for the motion of the deepest place within so many sizes, cube roots of its volume, of the piece that lies there: with
+/// particles these are the hundred nearest.
+const AROUND: f64 = 3.0;
+/// What grows from the deepest place is next to nothing below this share of all free mass.
+const NEXT_TO_NOTHING: f64 = 0.1;
 /// Pieces of the sample whose motions are tried: a remnant of a tenth of everything is missed once in a thousand times.
 const SAMPLE: usize = 64;
 /// Potentials are right to 1e-3, speeds of escape to half of that.
@@ -41,7 +47,7 @@ pub fn largest(comm: &Comm, pieces: &[Piece], free: &[bool]) -> Aggregate {
     if from_fragment.mass > 0.5 * search.sum(free).0 {
         return from_fragment;
     }
-    let from_rubble = search.grow(search.rubble());
+    let from_rubble = search.rubble();
     if from_rubble.mass > from_fragment.mass { from_rubble } else { from_fragment }
 }
 
@@ -88,22 +94,50 @@ impl Search<'_> {
         Aggregate { members, mass }
     }
 
-    /// What is bound to the motion of that piece of the sample to which most is bound, in the potential of all free pieces.
-    fn rubble(&self) -> Vec<bool> {
+    /// The aggregate of rubble.
+    fn rubble(&self) -> Aggregate {
         let mut potential = vec![0.0; self.pieces.len()];
         self.update_potential(&mut potential, &vec![false; self.pieces.len()], self.free);
+        let from_the_deepest = self.grow(self.bound_to_the_deepest(&potential));
+        if from_the_deepest.mass > NEXT_TO_NOTHING * self.sum(self.free).0 {
+            return from_the_deepest;
+        }
+        let from_sample = self.grow(self.bound_to_most(&potential));
+        if from_sample.mass > from_the_deepest.mass { from_sample } else { from_the_deepest }
+    }
+
+    fn is_bound(&self, i: usize, motion: &Vec3, potential: &[f64]) -> bool {
+        self.free[i] && 0.5 * (self.pieces[i].velocity - motion).norm_squared() + potential[i] < 0.0
+    }
+
+    /// All that is bound to the pieces around the deepest place.
+    fn bound_to_the_deepest(&self, potential: &[f64]) -> Vec<bool> {
+        let deepest = best(self.comm, self.pieces, self.chosen(self.free).map(|i| (-potential[i], i)));
+        let here = self.pieces.iter().find(|piece| Some(piece.label) == deepest);
+        let mut place = here.map_or([f64::NEG_INFINITY; 4], |piece| {
+            [piece.position.x, piece.position.y, piece.position.z, AROUND * libm::cbrt(piece.volume)]
+        });
+        self.comm.all_max(&mut place);
+        let [x, y, z, reach] = place;
+        let is_near = |i: usize| self.free[i] && (self.pieces[i].position - Vec3::new(x, y, z)).norm() <= reach;
+        let (mass, momentum) = self.sum(&(0..self.pieces.len()).map(is_near).collect::<Vec<_>>());
+        let motion = momentum / mass;
+        let belongs = |i| self.is_bound(i, &motion, potential) || Some(self.pieces[i].label) == deepest;
+        (0..self.pieces.len()).map(belongs).collect()
+    }
+
+    /// All that is bound to the motion of that piece of the sample to which most is.
+    fn bound_to_most(&self, potential: &[f64]) -> Vec<bool> {
         let motions = self.sample();
-        let is_bound = |i: usize, motion: &Vec3| {
-            self.free[i] && 0.5 * (self.pieces[i].velocity - motion).norm_squared() + potential[i] < 0.0
-        };
         let mut bound = [const { ExactSum::new() }; SAMPLE];
         for (sum, motion) in bound.iter_mut().zip(&motions) {
-            let members = (0..self.pieces.len()).filter(|&i| is_bound(i, motion));
+            let members = (0..self.pieces.len()).filter(|&i| self.is_bound(i, motion, potential));
             members.for_each(|i| sum.add(self.pieces[i].mass));
         }
         let masses = super::all_values(self.comm, &mut bound);
         let best = (0..SAMPLE).fold(0, |best, k| if masses[k] > masses[best] { k } else { best });
-        (0..self.pieces.len()).map(|i| motions.get(best).is_some_and(|motion| is_bound(i, motion))).collect()
+        let belongs = |i| motions.get(best).is_some_and(|motion| self.is_bound(i, motion, potential));
+        (0..self.pieces.len()).map(belongs).collect()
     }
 
     /// Velocities of free pieces that chance has chosen, the same on any number of ranks; as many as there are, if fewer.
