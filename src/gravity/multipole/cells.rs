@@ -46,16 +46,6 @@ impl Root {
     pub fn within(&self, position: &[f64; 3]) -> [f64; 3] {
         std::array::from_fn(|k| (position[k] - self.corner[k]) / self.side)
     }
-
-    /// Side of the cells of a level, m.
-    pub fn side_at(&self, level: u32) -> f64 {
-        self.side / (1u64 << level) as f64
-    }
-
-    /// Geometric centre of a cell, m.
-    pub fn centre(&self, cell: Cell) -> Vec3 {
-        self.corner + Vec3::from(cell.middle()) * self.side
-    }
 }
 
 /// Morton key of the deepest cell around a place given in sides of the root cube from its corner.
@@ -128,8 +118,8 @@ mod tests {
         for level in 0..=DEEPEST {
             let cell = Cell { level, path: key >> (3 * (DEEPEST - level)) };
             assert!((cell.first_key()..cell.end_key()).contains(&key));
-            let off = (Vec3::from(place) - root.centre(cell)).amax();
-            assert!(off <= 0.5 * root.side_at(level), "level {level}: {off}");
+            let off = (Vec3::from(root.within(&place)) - Vec3::from(cell.middle())).amax();
+            assert!(off <= 0.5 / (1u64 << level) as f64, "level {level}: {off}");
         }
     }
 
