@@ -24,6 +24,8 @@ Examples:
       the scene with the cheapest setting that a stored study of it knows for that error
   mpirun -n 4 sph-mpi inputs/impact.toml --resume
       go on from the newest whole checkpoint, on any number of ranks
+  sph-mpi inputs/impact.toml --resume --set 'run.until=40 s'
+      take a run that has ended further
 
 In --set, a body is addressed by its name and its shape's keys follow directly (projectile.radius).
 SIGTERM and SIGUSR1 end a run with a checkpoint. RUST_LOG sets what is logged (error, warn, info, debug).";
@@ -43,11 +45,11 @@ pub struct Args {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub overrides: Vec<String>,
 
-    /// Directory for the run's files [default: runs/<scene>]. A finished run that stands there is renamed, never overwritten.
+    /// Directory for the run's files [default: runs/<scene>]. A run that stands there is renamed, other files are left alone.
     #[arg(long, value_name = "DIRECTORY")]
     pub out: Option<PathBuf>,
 
-    /// Go on from the newest whole checkpoint in the run's directory.
+    /// Go on from the newest whole checkpoint in the run's directory; end, output and title may be others than before.
     #[arg(long, conflicts_with = "check")]
     pub resume: bool,
 

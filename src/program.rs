@@ -12,7 +12,8 @@ use crate::error::{Error, Result};
 use crate::output::summary::Accuracy;
 use crate::output::{agree, collective};
 use crate::scene::{self, Scene};
-use crate::simulation::{self, Ended, Options, log, resources, signals};
+use crate::simulation::lock::{Lock, Work};
+use crate::simulation::{self, Ended, Options, directory, log, resources, signals};
 use crate::step::workers;
 
 /// Exit codes beside 0.
@@ -77,9 +78,11 @@ fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
             Task::Study(_) => None,
         },
     };
-    if let Err(error) = prepare(args, &options, comm) {
-        return complain(&error, BAD_INPUT, comm);
-    }
+    // Held until the work is done.
+    let _lock = match prepare(args, &task, &options, comm) {
+        Ok(lock) => lock,
+        Err(error) => return complain(&error, BAD_INPUT, comm),
+    };
     let ended = match &task {
         Task::Scene(scene, _) if scene.threshold.is_some() => {
             search::run(scene, &options, comm).map(|found| found.map_or(Ended::Interrupted, |_| Ended::Finished))
@@ -155,7 +158,7 @@ fn part(args: &Args) -> Part {
 
 /// A study often has the name of its scene: its folder must not be that of the scene's runs.
 fn usual_directory(args: &Args, task: &Task) -> PathBuf {
-    let directory = simulation::directory::default_directory(&args.scene);
+    let directory = directory::default_directory(&args.scene);
     match task {
         Task::Scene(..) => directory,
         Task::Study(_) => {
@@ -164,14 +167,9 @@ fn usual_directory(args: &Args, task: &Task) -> PathBuf {
     }
 }
 
-/// Directory, threads, signals.
-fn prepare(args: &Args, options: &Options, comm: &Comm) -> Result<()> {
-    // Tasks of a study write side by side, and begin whenever they are begun.
-    let shared = args.task.is_some() || args.collect;
-    if options.resume && !shared {
-        simulation::directory::require_checkpoint(&options.directory, comm)?;
-    }
-    simulation::directory::prepare(&options.directory, options.resume || shared, comm)?;
+/// Directory, threads, signals; the lock of the directory, on rank 0.
+fn prepare(args: &Args, task: &Task, options: &Options, comm: &Comm) -> Result<Option<Lock>> {
+    let lock = take_directory(args, task, options, comm)?;
     let cores = workers::usable_cores();
     let threads = match args.threads {
         Some(threads) => threads as usize,
@@ -184,7 +182,26 @@ fn prepare(args: &Args, options: &Options, comm: &Comm) -> Result<()> {
     }
     agree(comm, workers::start_threads(threads))?;
     signals::listen();
-    Ok(())
+    Ok(lock)
+}
+
+/// The directory, made, and its lock. Collective.
+fn take_directory(args: &Args, task: &Task, options: &Options, comm: &Comm) -> Result<Option<Lock>> {
+    let folder = &options.directory;
+    // Tasks of a study work side by side, and begin whenever they are begun; each has the lock of its point.
+    if args.task.is_some() {
+        return directory::share(folder, comm).map(|()| None);
+    }
+    let (work, levels) = match task {
+        Task::Study(_) if args.collect => return directory::prepare(folder, true, Work::Tables, comm),
+        Task::Study(_) => (Work::Study, 2),
+        Task::Scene(scene, _) if scene.threshold.is_some() => (Work::Search, 1),
+        Task::Scene(..) => (Work::Run, 0),
+    };
+    if options.resume {
+        directory::require_checkpoint(folder, levels, comm)?;
+    }
+    directory::prepare(folder, options.resume, work, comm)
 }
 
 /// Ranks of this host that share the cores this rank may use: all of them where nothing is pinned, one where the launcher

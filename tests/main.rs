@@ -28,6 +28,7 @@ mod ranks;
 mod ranks_domain;
 mod ranks_outcome;
 mod rest;
+mod restart;
 mod sameness;
 mod scenes;
 mod studies;

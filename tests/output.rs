@@ -6,13 +6,14 @@ use std::process::Command;
 
 use crate::common;
 use sph_mpi::domain::comm::Comm;
+use sph_mpi::error::Result;
 use sph_mpi::material::{BodyConstants, Core, declare_core};
 use sph_mpi::math::{Deviator, Vec3};
 use sph_mpi::output::collective::CollectiveFile;
 use sph_mpi::output::figures::cut::{self, Picture};
 use sph_mpi::output::figures::raster::{Dot, Plane, Window, rasterise, window};
 use sph_mpi::output::snapshot::extend_series;
-use sph_mpi::output::{CheckpointMeta, History, Snapshot, Storage, checkpoint, state_hash};
+use sph_mpi::output::{Checkpoint, CheckpointMeta, History, Snapshot, Storage, checkpoint, state_hash};
 use sph_mpi::particles::{Column, ColumnInfo, Columns, Life, ParticleId, Registry};
 
 const DIRECTORY: &str = "SPH_MPI_TEST_DIRECTORY";
@@ -148,11 +149,17 @@ fn snapshots_hold_the_same_particles_on_any_number_of_ranks() {
 
 fn meta() -> CheckpointMeta {
     CheckpointMeta {
-        scene_hash: "abc".into(),
+        scene: "abc".into(),
         reals: vec![("time".into(), 0.1.into()), ("dt".into(), f64::NAN.into())],
         integers: vec![("step".into(), u64::MAX)],
         json: "{\"counters\": [1, 2]}".into(),
     }
+}
+
+/// Of a scene that says no more than its title.
+fn read_newest(directory: &Path, registry: &Registry, comm: &Comm, scene: &str) -> Result<Option<Checkpoint>> {
+    let differs = |before: &str| (before != scene).then(|| format!("`title` was {before} and now is {scene}"));
+    checkpoint::read_newest(directory, registry, comm, &differs)
 }
 
 #[test]
@@ -165,16 +172,16 @@ fn a_checkpoint_of_two_ranks_is_read_by_any_number() {
             checkpoint::write(directory, &whole.columns, whole.core.id, &meta(), comm).unwrap();
             return;
         }
-        let read = checkpoint::read_newest(directory, &whole.columns.registry, comm, "abc").unwrap().unwrap();
+        let read = read_newest(directory, &whole.columns.registry, comm, "abc").unwrap().unwrap();
         assert_eq!(state_hash(&read.columns, whole.core.id, comm), hash);
         let share = 2 * SITES as usize;
         assert_eq!(read.columns.len(), share * (comm.rank() + 1) / comm.size() - share * comm.rank() / comm.size());
         assert_eq!(read.meta, meta());
         assert!(read.refused.is_none() && read.meta.real("dt").unwrap().is_nan());
         assert_eq!((read.meta.real("time"), read.meta.integer("step")), (Some(0.1), Some(u64::MAX)));
-        let error = checkpoint::read_newest(directory, &whole.columns.registry, comm, "other").unwrap_err();
-        assert!(error.what.contains("another scene"), "{error}");
-        let none = checkpoint::read_newest(&directory.join("none"), &whole.columns.registry, comm, "abc").unwrap();
+        let error = read_newest(directory, &whole.columns.registry, comm, "other").unwrap_err();
+        assert!(error.what.contains("another scene: `title` was abc and now is other"), "{error}");
+        let none = read_newest(&directory.join("none"), &whole.columns.registry, comm, "abc").unwrap();
         assert!(none.is_none());
     });
     if !inside {
@@ -198,7 +205,15 @@ fn a_damaged_checkpoint_gives_way_to_the_previous_one() {
             checkpoint::write(directory, &scene.columns, scene.core.id, &meta(), comm).unwrap();
             return;
         }
-        let read = checkpoint::read_newest(directory, &scene.columns.registry, comm, "abc");
+        let read = read_newest(directory, &scene.columns.registry, comm, if stage == "other" { stage } else { "abc" });
+        if stage == "other" {
+            // The newest is damaged, the one before of another scene: both are told.
+            let error = read.unwrap_err();
+            for part in ["checkpoint.h5: cannot open", "checkpoint_previous.h5: the checkpoint belongs"] {
+                assert!(error.what.contains(part) && error.bad_input, "{error}");
+            }
+            return;
+        }
         if stage == "no other" {
             let error = read.unwrap_err();
             assert!(error.what.contains("no whole checkpoint is left"), "{error}");
@@ -226,6 +241,7 @@ fn a_damaged_checkpoint_gives_way_to_the_previous_one() {
     launch(name, 2, directory.path(), "the column damage does not match its checksum");
     std::fs::write(&newest, &whole[..whole.len() / 2]).unwrap();
     launch(name, 3, directory.path(), "cannot open");
+    launch(name, 2, directory.path(), "other");
     std::fs::write(directory.path().join("checkpoint_previous.h5"), b"no such thing").unwrap();
     launch(name, 2, directory.path(), "no other");
 }

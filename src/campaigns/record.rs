@@ -5,12 +5,15 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::bracket::Point;
+use super::study::points::understood;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::outcome::Outcome;
 use crate::output::agree;
-use crate::output::publish::replace_text;
+use crate::output::publish::{cannot, replace_text};
 use crate::output::summary::Figures;
+use crate::scene::Scene;
+use crate::scene::identity::{Difference, differences};
 
 /// One finished impact.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -85,24 +88,56 @@ impl Impact {
     }
 }
 
+/// The scene that is searched, as it was understood.
+const SCENE: &str = "scene.toml";
+
 fn file(directory: &Path) -> PathBuf {
     directory.join("impacts.json")
 }
 
-/// The impacts on disk, on every rank; none where there is no record. Collective.
-pub fn read(directory: &Path, comm: &Comm) -> Result<Vec<Impact>> {
-    let mut text = Vec::new();
-    let mut mine = Ok(());
-    if comm.is_root() {
-        match std::fs::read(file(directory)) {
-            Ok(bytes) => text = bytes,
-            Err(e) if e.kind() == std::io::ErrorKind::NotFound => text = b"[]".to_vec(),
-            Err(e) => mine = Err(Error::from(e).at(file(directory).display().to_string())),
-        }
-    }
+/// Writes down what is searched. Collective.
+pub fn begin(directory: &Path, scene: &Scene, comm: &Comm) -> Result<()> {
+    let write = || replace_text(&directory.join(SCENE), &scene.to_toml());
+    agree(comm, if comm.is_root() { write() } else { Ok(()) })
+}
+
+/// The impacts on disk, on every rank; none where there is no record. Impacts of another scene are refused. Collective.
+pub fn read(directory: &Path, scene: &Scene, comm: &Comm) -> Result<Vec<Impact>> {
+    let mine = if comm.is_root() { read_alone(directory, scene) } else { Ok(Vec::new()) };
+    let mut text = serde_json::to_vec(mine.as_deref().unwrap_or_default()).map_err(|e| Error::new(e.to_string()))?;
     agree(comm, mine)?;
     comm.broadcast(&mut text);
     serde_json::from_slice(&text).map_err(|e| Error::new(e.to_string()).at(file(directory).display().to_string()))
+}
+
+fn read_alone(directory: &Path, scene: &Scene) -> Result<Vec<Impact>> {
+    let path = file(directory);
+    let bytes = match std::fs::read(&path) {
+        Ok(bytes) => bytes,
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
+        Err(e) => return Err(cannot("read", &path, e)),
+    };
+    let before = std::fs::read_to_string(directory.join(SCENE)).unwrap_or_default();
+    if let Some(difference) = differs(&before, scene).filter(|_| !before.is_empty()) {
+        let what = format!("the search belongs to another scene: {difference}");
+        let allowed = "the scene of its impacts, in which the title, [output] and [threshold] may change; or another directory (--out)";
+        return Err(Error::new(what).at(directory.display().to_string()).allowed(allowed).bad_input());
+    }
+    // Impacts that have ended are not run again: their folders have what they found.
+    Ok(serde_json::from_slice(&bytes).unwrap_or_else(|error| {
+        tracing::warn!("{} is damaged and made anew: {error}", path.display());
+        Vec::new()
+    }))
+}
+
+/// The first key that changes what an impact finds.
+fn differs(before: &str, scene: &Scene) -> Option<String> {
+    let [before, now] = [before, &scene.to_toml()].map(|text| {
+        let mut table = understood(text);
+        table.remove("threshold");
+        table
+    });
+    differences(&before, &now).first().map(Difference::to_string)
 }
 
 /// Collective.

@@ -16,6 +16,7 @@ use crate::output::publish::replace_text;
 use crate::output::summary::{self, Figures};
 use crate::output::{Summary, agree};
 use crate::scene::{Body, Scene, Shape};
+use crate::simulation::lock::Work;
 use crate::simulation::{self, Ended, Options};
 
 /// What the search knows of its scene.
@@ -32,7 +33,8 @@ struct Search<'a> {
 /// Searches, or goes on searching; none where it was interrupted. Collective.
 pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<Option<Summary>> {
     let search = Search::new(scene)?;
-    let impacts = if options.resume { record::read(&options.directory, comm)? } else { Vec::new() };
+    let impacts = if options.resume { record::read(&options.directory, scene, comm)? } else { Vec::new() };
+    record::begin(&options.directory, scene, comm)?;
     let mut progress = Progress { search: &search, options, comm, impacts };
     let rules = search.rules();
     let end = loop {
@@ -186,7 +188,7 @@ impl<'a> Search<'a> {
     ) -> Result<Option<Impact>> {
         let scene = self.scene.reread(&self.overrides(length, repeat))?;
         let directory = options.directory.join(format!("impact_{number:02}"));
-        simulation::directory::prepare(&directory, options.resume, comm)?;
+        let _lock = simulation::directory::prepare(&directory, options.resume, Work::Run, comm)?;
         let report = simulation::run(&scene, &Options { directory, ..options.clone() }, comm)?;
         let (Ended::Finished, Some(outcome)) = (report.ended, report.outcome) else { return Ok(None) };
         let later = report.later.unwrap_or_else(|| outcome.clone());
@@ -257,7 +259,6 @@ impl<'a> Found<'a> {
     }
 
     fn write_alone(&self, directory: &Path) -> Result<()> {
-        replace_text(&directory.join("scene.toml"), &self.search.scene.to_toml())?;
         replace_text(&directory.join("threshold.csv"), &self.table())?;
         self.remnant_figure().draw(&directory.join("threshold.png"))?;
         self.radius_figure().draw(&directory.join("q_star.png"))

@@ -18,8 +18,8 @@ pub const PREVIOUS: &str = "checkpoint_previous.h5";
 /// What a checkpoint holds beside the columns.
 #[derive(Debug, Clone, PartialEq, Default, serde::Serialize, serde::Deserialize)]
 pub struct CheckpointMeta {
-    /// Hash of the scene; a checkpoint of another scene is refused.
-    pub scene_hash: String,
+    /// The scene as it was understood; a checkpoint of another scene is refused.
+    pub scene: String,
     /// Numbers by name, kept to the bit.
     pub reals: Vec<(String, Bits)>,
     pub integers: Vec<(String, u64)>,
@@ -143,17 +143,28 @@ enum Refusal {
     OtherScene(Error),
 }
 
+/// Says what in the scene of a checkpoint, as it was understood, is not that of the run; none where both are the same.
+pub type Differs<'a> = &'a dyn Fn(&str) -> Option<String>;
+
 /// The newest whole checkpoint of a directory, or none where there is no checkpoint at all. Collective.
-pub fn read_newest(directory: &Path, registry: &Registry, comm: &Comm, scene: &str) -> Result<Option<Checkpoint>> {
+pub fn read_newest(directory: &Path, registry: &Registry, comm: &Comm, differs: Differs) -> Result<Option<Checkpoint>> {
     let mut refused: Option<Error> = None;
     for name in [NEWEST, PREVIOUS] {
         let path = directory.join(name);
         if !exists(&path, comm) {
             continue;
         }
-        match read_one(&path, registry, comm, scene) {
+        match read_one(&path, registry, comm, differs) {
             Ok((columns, meta)) => return Ok(Some(Checkpoint { columns, meta, path, refused })),
-            Err(Refusal::OtherScene(error)) => return Err(error),
+            Err(Refusal::OtherScene(error)) => {
+                return Err(match refused {
+                    None => error,
+                    Some(newer) => {
+                        let what = format!("{newer}; and the one before, {}: {}", path.display(), error.what);
+                        Error { what, ..error }.at(directory.display().to_string())
+                    }
+                });
+            }
             Err(Refusal::NotWhole(error)) => {
                 refused = Some(match refused {
                     None => error,
@@ -176,15 +187,18 @@ fn read_one(
     path: &Path,
     registry: &Registry,
     comm: &Comm,
-    scene: &str,
+    differs: Differs,
 ) -> std::result::Result<(Columns, CheckpointMeta), Refusal> {
     let place = path.display().to_string();
     let not_whole = |error: Error| Refusal::NotWhole(if error.place.is_empty() { error.at(&place) } else { error });
     let file = CollectiveFile::open(path, comm).map_err(not_whole)?;
     let header = read_header(&file).map_err(not_whole)?;
-    if header.meta.scene_hash != scene {
-        let error = Error::new("the checkpoint belongs to another scene").at(&place);
-        let error = error.allowed("the scene it was written for, or another directory (--out)");
+    if let Some(difference) = differs(&header.meta.scene) {
+        let error = Error::new(format!("the checkpoint belongs to another scene: {difference}")).at(&place);
+        let error = error.allowed(
+            "the scene it was written for, in which the title, [output] and the end of [run] may change; or another \
+             directory (--out)",
+        );
         return Err(Refusal::OtherScene(error.bad_input()));
     }
     let columns = read_columns(&file, &header, registry, comm).map_err(not_whole)?;

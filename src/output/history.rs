@@ -1,5 +1,5 @@
 //! history.csv: one row per recorded step, written by rank 0. A resumed run cuts the rows beyond the step it starts from, so
-//! that the file reads as if nothing had happened.
+//! that the file reads as if nothing had happened. A file that is damaged is set aside: the checkpoint is what counts.
 
 use std::fs::{File, OpenOptions};
 use std::io::Write;
@@ -9,6 +9,9 @@ use super::agree;
 use super::publish::{cannot, replace_text};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
+
+/// The name that a history gets with which a resumed run cannot go on.
+pub const DAMAGED: &str = "history_damaged.csv";
 
 /// One field of a row.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,7 +25,11 @@ pub enum Cell {
 pub struct History {
     path: PathBuf,
     file: Option<File>,
+    /// How many, and which of them counts steps.
     columns: usize,
+    step: usize,
+    /// Of the last row.
+    last: Option<u64>,
     line: String,
 }
 
@@ -30,15 +37,46 @@ impl History {
     /// `columns` are (name, unit), and the one named `step` counts steps. A new run (`resumed` is none) starts the file
     /// afresh; a resumed one keeps its rows up to that step. Collective.
     pub fn open(path: &Path, columns: &[(&str, &str)], resumed: Option<u64>, comm: &Comm) -> Result<Self> {
-        let mine = if comm.is_root() { prepare(path, columns, resumed).map(Some) } else { Ok(None) };
-        let file = agree(comm, mine)?;
-        Ok(Self { path: path.to_path_buf(), file, columns: columns.len(), line: String::new() })
+        let open = || Self::open_alone(path, columns, resumed);
+        let none = Self {
+            path: path.to_path_buf(),
+            file: None,
+            columns: columns.len(),
+            step: 0,
+            last: None,
+            line: String::new(),
+        };
+        agree(comm, if comm.is_root() { open() } else { Ok(none) })
     }
 
-    /// Appends a row. Not collective: an error of rank 0 is to be agreed on at the step's reduction.
+    fn open_alone(path: &Path, columns: &[(&str, &str)], resumed: Option<u64>) -> Result<Self> {
+        let step = columns.iter().position(|(name, _)| *name == "step").unwrap_or(0);
+        let mut text = header(columns) + "\n";
+        let mut last = None;
+        if let (Some(from), true) = (resumed, path.exists()) {
+            match std::fs::read(path).map_err(|e| cannot("read", path, e)).and_then(|old| kept(&old, columns, from)) {
+                Ok((rows, newest)) => (text, last) = (text + &rows, newest),
+                Err(error) => set_aside(path, &error)?,
+            }
+        }
+        replace_text(path, &text)?;
+        let file = OpenOptions::new().append(true).open(path).map_err(|e| cannot("open", path, e))?;
+        let (path, columns) = (path.to_path_buf(), columns.len());
+        Ok(Self { path, file: Some(file), columns, step, last, line: String::new() })
+    }
+
+    /// Appends a row, unless the last one is of the same step. Not collective: an error of rank 0 is to be agreed on at the step's reduction.
     pub fn row(&mut self, cells: &[Cell]) -> Result<()> {
         debug_assert_eq!(cells.len(), self.columns);
         let Some(file) = &mut self.file else { return Ok(()) };
+        let step = match cells.get(self.step) {
+            Some(Cell::Integer(step)) => Some(*step),
+            _ => None,
+        };
+        if step.is_some() && step == self.last {
+            return Ok(());
+        }
+        self.last = step;
         self.line.clear();
         for (k, cell) in cells.iter().enumerate() {
             if k > 0 {
@@ -67,31 +105,37 @@ fn quoted(text: &str) -> String {
     if text.contains([',', '"']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
 }
 
-fn prepare(path: &Path, columns: &[(&str, &str)], resumed: Option<u64>) -> Result<File> {
-    let mut text = header(columns) + "\n";
-    if let (Some(step), true) = (resumed, path.exists()) {
-        let old = std::fs::read_to_string(path).map_err(|e| cannot("read", path, e))?;
-        text = kept(&old, columns, step).map_err(|e| e.at(path.display().to_string()))?;
+/// Gives a history that cannot be gone on with another name; an empty one says nothing.
+fn set_aside(path: &Path, why: &Error) -> Result<()> {
+    let aside = path.with_file_name(DAMAGED);
+    if std::fs::metadata(path).is_ok_and(|file| file.is_file() && file.len() == 0) {
+        tracing::warn!("{} is empty and begins anew", path.display());
+        return Ok(());
     }
-    replace_text(path, &text)?;
-    OpenOptions::new().append(true).open(path).map_err(|e| cannot("open", path, e))
+    tracing::warn!("{} begins anew, what stood there is now {DAMAGED}: {why}", path.display());
+    std::fs::rename(path, aside).map_err(|e| cannot("rename", path, e))
 }
 
-/// The header and the whole rows up to a step.
-fn kept(old: &str, columns: &[(&str, &str)], last: u64) -> Result<String> {
+/// The whole rows up to a step, and the step of the last of them.
+fn kept(old: &[u8], columns: &[(&str, &str)], last: u64) -> Result<(String, Option<u64>)> {
+    let old = String::from_utf8_lossy(old);
     let header = header(columns);
     if old.lines().next() != Some(header.as_str()) {
         return Err(Error::new("the history to go on with has other columns").allowed(header));
     }
     let step = columns.iter().position(|(name, _)| *name == "step").unwrap_or(0);
-    let mut text = header + "\n";
-    for line in old.split_inclusive('\n').skip(1) {
-        let number = fields(line.trim_end()).get(step).and_then(|field| field.parse::<u64>().ok());
-        if line.ends_with('\n') && number.is_some_and(|n| n <= last) {
+    let (mut text, mut newest) = (String::new(), None);
+    for line in old.split_inclusive('\n').skip(1).filter(|line| line.ends_with('\n')) {
+        let fields = fields(line.trim_end());
+        let number = fields.get(step).and_then(|field| field.parse::<u64>().ok());
+        // What a failing disk has left between whole rows goes.
+        if fields.len() == columns.len() && number.is_some_and(|n| n <= last && newest.is_none_or(|newest| n > newest))
+        {
             text.push_str(line);
+            newest = number;
         }
     }
-    Ok(text)
+    Ok((text, newest))
 }
 
 /// Fields of a row; commas inside quotes separate nothing.
@@ -115,8 +159,7 @@ mod tests {
     }
 
     fn history(path: &Path, resumed: Option<u64>) -> History {
-        let file = Some(prepare(path, &COLUMNS, resumed).unwrap());
-        History { path: path.to_path_buf(), file, columns: COLUMNS.len(), line: String::new() }
+        History::open_alone(path, &COLUMNS, resumed).unwrap()
     }
 
     #[test]
@@ -136,13 +179,36 @@ mod tests {
         assert_eq!(text.lines().next(), Some("time [s],limit,step,energy [J]"));
     }
 
+    /// The checkpoint is whole; what is beside it must not refuse it.
     #[test]
-    fn other_columns_are_refused() {
+    fn a_damaged_history_begins_anew_and_is_kept() {
+        let directory = tempfile::tempdir().unwrap();
+        let (path, aside) = (directory.path().join("history.csv"), directory.path().join(DAMAGED));
+        let read = || std::fs::read_to_string(&path).unwrap();
+        for (damage, kept) in [(&b""[..], false), (b"time,step\n0,3\n", true), (b"\xff\0\0\n", true)] {
+            std::fs::write(&path, damage).unwrap();
+            history(&path, Some(3)).row(&row(4)).unwrap();
+            assert_eq!(read().lines().count(), 2);
+            assert!(read().starts_with("time [s],") && read().ends_with(",4,1e20\n"), "{}", read());
+            assert_eq!(std::fs::read(&aside).ok().as_deref(), kept.then_some(damage));
+        }
+    }
+
+    #[test]
+    fn whole_rows_are_kept_and_none_is_written_twice() {
         let directory = tempfile::tempdir().unwrap();
         let path = directory.path().join("history.csv");
-        history(&path, None);
-        let error = prepare(&path, &COLUMNS[..3], Some(3)).unwrap_err();
-        assert!(error.what.contains("other columns") && error.place.ends_with("history.csv"));
+        let mut first = history(&path, None);
+        [1, 2, 2, 3, 4].into_iter().for_each(|step| first.row(&row(step)).unwrap());
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert_eq!(text.lines().count(), 5);
+        // Zeros, as after a failure of power, between the rows and at the end.
+        std::fs::write(&path, text.replace('\n', "\n\0\0\n1,2\n\0,\0,\0,\0\n") + "\0\0").unwrap();
+        let mut second = history(&path, Some(4));
+        [4, 5].into_iter().for_each(|step| second.row(&row(step)).unwrap());
+        let resumed = std::fs::read_to_string(&path).unwrap();
+        let steps: Vec<&str> = resumed.lines().map(|line| fields(line)[2]).collect();
+        assert_eq!(steps, ["step", "1", "2", "3", "4", "5"]);
     }
 
     #[test]

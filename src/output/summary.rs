@@ -3,7 +3,8 @@
 use std::fmt;
 use std::path::Path;
 
-use serde::{Deserialize, Serialize, Serializer};
+use serde::de::{MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{agree, publish};
 use crate::domain::comm::Comm;
@@ -19,8 +20,37 @@ impl Serialize for Figures {
     }
 }
 
+/// Null is a number that is not finite.
+impl<'de> Deserialize<'de> for Figures {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+        /// Keeps the order.
+        struct Pairs;
+        impl<'de> Visitor<'de> for Pairs {
+            type Value = Figures;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("names with numbers")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> std::result::Result<Figures, A::Error> {
+                let mut figures = Figures::default();
+                while let Some((name, value)) = map.next_entry::<String, Option<f64>>()? {
+                    figures.0.push((name, value.unwrap_or(f64::NAN)));
+                }
+                Ok(figures)
+            }
+        }
+        deserializer.deserialize_map(Pairs)
+    }
+}
+
+fn number<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<f64, D::Error> {
+    Option::deserialize(deserializer).map(|number| number.unwrap_or(f64::NAN))
+}
+
 /// A run in figures. Numbers that are not finite are written as null.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Summary {
     pub title: String,
     pub version: String,
@@ -45,9 +75,12 @@ pub struct Summary {
     pub bytes_per_particle: f64,
     pub list_bytes_per_particle: f64,
     /// Largest |E - E0| over the run, over the initial kinetic energy in the centre-of-mass frame.
+    #[serde(deserialize_with = "number")]
     pub energy_drift: f64,
     /// Over sum m |v|.
+    #[serde(deserialize_with = "number")]
     pub momentum_drift: f64,
+    #[serde(deserialize_with = "number")]
     pub angular_momentum_drift: f64,
     /// Name -> share of the time.
     pub phases: Figures,
@@ -72,7 +105,8 @@ pub struct Summary {
     /// What was handed on to an N-body program.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub nbody: Option<Figures>,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Of a search, whose impacts are read instead.
+    #[serde(skip_serializing_if = "Option::is_none", skip_deserializing)]
     pub threshold: Option<Threshold>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<Accuracy>,
@@ -143,6 +177,13 @@ impl Summary {
         agree(comm, mine)
     }
 
+    /// What stands in the file, on all ranks; none where there is none, or what is there is no summary. Collective.
+    pub fn read(path: &Path, comm: &Comm) -> Option<Self> {
+        let mut text = if comm.is_root() { std::fs::read(path).unwrap_or_default() } else { Vec::new() };
+        comm.broadcast(&mut text);
+        serde_json::from_slice(&text).ok()
+    }
+
     fn write_alone(&self, path: &Path) -> Result<()> {
         let text =
             serde_json::to_string_pretty(self).map_err(|e| Error::new(e.to_string()).at(path.display().to_string()))?;
@@ -163,5 +204,7 @@ mod tests {
         let order = ["state_hash", "steps", "energy_drift", "phases", "pairs", "exchange", "errors"];
         assert!(order.windows(2).all(|w| at(w[0]) < at(w[1])));
         assert!(text.contains("\"energy_drift\":null") && !text.contains("threshold"));
+        let back: Summary = serde_json::from_str(&text).unwrap();
+        assert_eq!(serde_json::to_string(&back).unwrap(), text);
     }
 }

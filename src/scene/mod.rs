@@ -9,6 +9,7 @@ pub mod compare;
 mod curves;
 pub mod gravity;
 pub mod hydrostatic;
+pub mod identity;
 pub mod impact;
 pub mod keys;
 pub mod late_stage;
@@ -103,15 +104,6 @@ impl Scene {
     /// The scene as understood: every default spelt out, library values included. Reads back to the same scene.
     pub fn to_toml(&self) -> String {
         self.understood.clone()
-    }
-
-    /// The scene as understood, without what a restart may change: hints for files.
-    pub fn identity(&self) -> String {
-        let mut table: toml::Table = self.understood.parse().unwrap_or_default();
-        if let Some(output) = table.get_mut("output").and_then(toml::Value::as_table_mut) {
-            output.remove("mpi_io_hints");
-        }
-        table.to_string()
     }
 
     /// The file the scene was read from.

@@ -10,7 +10,7 @@ use super::state::Spent;
 use crate::error::{Error, Result};
 use crate::outcome::{self, Evaluation, Particle, Question};
 use crate::output::{Cell, CheckpointMeta, Snapshot, Storage, checkpoint, snapshot};
-use crate::scene::{Precision, Scene};
+use crate::scene::Precision;
 use crate::step::phases::Phase;
 
 impl<const D: usize> Run<'_, D> {
@@ -117,7 +117,7 @@ impl<const D: usize> Run<'_, D> {
         let mut state = self.state.clone();
         state.spent = self.spent();
         let meta = CheckpointMeta {
-            scene_hash: scene_hash(self.scene),
+            scene: self.scene.to_toml(),
             json: serde_json::to_string(&state).map_err(|e| Error::new(e.to_string()))?,
             ..CheckpointMeta::default()
         };
@@ -151,9 +151,4 @@ impl<const D: usize> Run<'_, D> {
             migrated: before.migrated + sums[4] as u64,
         }
     }
-}
-
-/// Identifies what was asked for: the scene as understood, without what may change between restarts.
-pub fn scene_hash(scene: &Scene) -> String {
-    blake3::hash(scene.identity().as_bytes()).to_hex().to_string()
 }

@@ -11,6 +11,7 @@ use console::Term;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::error::Result;
+use crate::output::publish::cannot;
 
 static LOG_FILE: Mutex<Option<File>> = Mutex::new(None);
 static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
@@ -59,10 +60,16 @@ pub fn start(rank: usize, quiet: bool) {
         .init();
 }
 
-/// From now on lines also go to `path`, on rank 0.
+/// From now on lines also go to `path`, on rank 0. A run that is resumed goes on without where that cannot be.
 pub fn to_file(path: &Path, resumed: bool) -> Result<()> {
-    let file = File::options().create(true).write(true).append(resumed).truncate(!resumed).open(path)?;
-    *LOG_FILE.lock().unwrap() = Some(file);
+    match File::options().create(true).write(true).append(resumed).truncate(!resumed).open(path) {
+        Ok(file) => *LOG_FILE.lock().unwrap() = Some(file),
+        Err(error) if resumed => {
+            *LOG_FILE.lock().unwrap() = None;
+            tracing::warn!("{} cannot be gone on with: {error}", path.display());
+        }
+        Err(error) => return Err(cannot("write", path, error)),
+    }
     Ok(())
 }
 

@@ -6,21 +6,20 @@ use std::time::Instant;
 use super::collapse::Collapse;
 use super::compare::Comparison;
 use super::faults::{Asks, Fault};
-use super::files::scene_hash;
 use super::footprint::Footprint;
-use super::late::{binding, free_fall_time};
+use super::late::free_fall_time;
 use super::log::Progress;
 use super::probes;
 use super::report::{self, Report};
 use super::resources;
+use super::restart;
 use super::setup;
 use super::signals;
-use super::state::{Conservation, RunState, Spent};
+use super::state::{Conservation, End, RunState, Spent};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::material::porosity::DISTENTION;
 use crate::outcome::Outcome;
-use crate::outcome::settled::Settled;
 use crate::output::publish::replace_text;
 use crate::output::summary::{Accuracy, Figures};
 use crate::output::{History, Summary, agree, checkpoint};
@@ -90,7 +89,6 @@ pub(super) struct Run<'a, const D: usize> {
     pub(super) saved: Instant,
     pub(super) fault: Fault,
     pub(super) comparison: Option<Comparison>,
-    pub(super) later: Option<Outcome>,
     /// What failed on this rank alone.
     pub(super) failed: Option<Error>,
     /// The step at which the run is to stop before its end.
@@ -115,9 +113,8 @@ impl<'a, const D: usize> Run<'a, D> {
         let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
         Footprint::new(scene, &plan, comm.size()).require(comm).map_err(|e| e.at(scene.path()))?;
         let fault = Fault::of_rank(comm.rank());
-        let hash = scene_hash(scene);
         let saved = if options.resume {
-            checkpoint::read_newest(&options.directory, &plan.registry, comm, &hash)?
+            checkpoint::read_newest(&options.directory, &plan.registry, comm, &|before| scene.differs_from(before))?
         } else {
             None
         };
@@ -156,9 +153,6 @@ impl<'a, const D: usize> Run<'a, D> {
         let labels: Vec<(&str, &str)> = columns.iter().map(|(name, unit)| (name.as_str(), unit.as_str())).collect();
         let resumed = (state.counters.steps > 0).then_some(state.counters.steps);
         let history = History::open(&options.directory.join("history.csv"), &labels, resumed, comm)?;
-        let text = scene.to_toml();
-        let write = || replace_text(&options.directory.join("scene.toml"), &text);
-        agree(comm, if comm.is_root() { write() } else { Ok(()) })?;
         let saved = Instant::now();
         Ok(Self {
             scene,
@@ -175,7 +169,6 @@ impl<'a, const D: usize> Run<'a, D> {
             saved,
             fault,
             comparison,
-            later: None,
             failed: None,
             last: None,
             collapse: Collapse::default(),
@@ -186,30 +179,30 @@ impl<'a, const D: usize> Run<'a, D> {
     fn first_state(scene: &Scene, stepper: &mut Stepper<'a, D>) -> Result<RunState> {
         let agreed = stepper.start().map_err(|failure| failure.error(|body| &scene.bodies[body].name))?;
         let first = stepper.totals();
-        let settles = scene.run.until == Until::Settled || scene.late_stage.is_some_and(|l| l.at == Until::Settled);
-        let settled = scene.impact.as_ref().filter(|_| settles).map(|_| {
-            let (contact, crossing) = (report::first_contact(scene), report::crossing(scene));
-            let settled = Settled::new(contact, crossing, first.kinetic_in_centre_of_mass());
-            if scene.gravity.own.is_some() { settled.bound_by(binding(scene), free_fall_time(scene)) } else { settled }
-        });
         Ok(RunState {
             time: 0.0,
             dt: agreed.dt,
             counters: stepper.counters,
             conservation: Conservation::new(&first),
             snapshots: 0,
-            settled,
+            settled: restart::settling(scene, first.kinetic_in_centre_of_mass()),
             reaccumulated: None,
             late: None,
             vibration: Vec::new(),
             outcome: None,
             crater: None,
             outcome_time: 0.0,
+            end: None,
             spent: Spent::default(),
         })
     }
 
     fn run_to_end(mut self) -> Result<RunReport> {
+        if let Some(found) = self.take_up()? {
+            return Ok(found);
+        }
+        let write = || replace_text(&self.options.directory.join("scene.toml"), &self.scene.to_toml());
+        agree(self.comm, if self.comm.is_root() { write() } else { Ok(()) })?;
         let mut progress = Progress::new(&self.options.directory.display().to_string(), self.comm.is_root());
         if self.state.counters.steps == 0 {
             self.sample_vibration();
@@ -280,7 +273,7 @@ impl<'a, const D: usize> Run<'a, D> {
         end.is_finite().then_some(end)
     }
 
-    fn is_over(&self) -> bool {
+    pub(super) fn is_over(&self) -> bool {
         let steps = self.scene.run.steps.is_some_and(|most| self.state.counters.steps >= most);
         steps || self.end_time().is_some_and(|end| self.state.time >= end)
     }
@@ -398,20 +391,26 @@ impl<'a, const D: usize> Run<'a, D> {
     }
 
     fn finish(mut self) -> Result<RunReport> {
-        if self.state.counters.steps % self.scene.output.history_every != 0 {
+        // A run may come back from its last checkpoint for what was not written any more.
+        let again = self.state.end.clone();
+        if again.is_none() && self.state.counters.steps % self.scene.output.history_every != 0 {
             self.note_totals()?;
         }
-        match (self.scene.impact.is_some(), self.state.has_outcome()) {
-            (true, false) => self.take_outcome()?,
-            (true, true) if self.scene.reaccumulates() => {}
-            (true, true) if !self.scene.hits_ground() => self.later = Some(self.evaluate_outcome().outcome),
-            (true, true) => {}
-            (false, _) => self.draw_cut()?,
+        let at_end = again.as_ref().map_or(!self.state.has_outcome(), |end| end.has_outcome);
+        let mut later = None;
+        match self.scene.impact.is_some() {
+            true if at_end => self.take_outcome()?,
+            true if again.is_some() || self.scene.reaccumulates() || self.scene.hits_ground() => {}
+            true => later = Some(self.evaluate_outcome().outcome),
+            false => self.draw_cut()?,
         }
-        if self.scene.output.snapshot_interval.is_some() {
-            self.write_snapshot()?;
+        if again.is_none() {
+            if self.scene.output.snapshot_interval.is_some() {
+                self.write_snapshot()?;
+            }
+            self.state.end = Some(End { has_outcome: at_end, later });
+            self.write_checkpoint()?;
         }
-        self.write_checkpoint()?;
         let errors = self.errors()?;
         let nbody = self.write_nbody()?;
         self.report(Ended::Finished, errors, nbody)
@@ -419,12 +418,13 @@ impl<'a, const D: usize> Run<'a, D> {
 
     fn report(self, ended: Ended, errors: Figures, nbody: Option<Figures>) -> Result<RunReport> {
         let spent = self.spent();
+        let later = self.state.end.as_ref().and_then(|end| end.later.clone());
         let summary = report::summarise(&Report {
             scene: self.scene,
             stepper: &self.stepper,
             state: &self.state,
             totals: &self.totals,
-            later: self.later.as_ref(),
+            later: later.as_ref(),
             spent,
             errors,
             nbody,
@@ -436,6 +436,6 @@ impl<'a, const D: usize> Run<'a, D> {
             summary.write(&self.options.directory.join("summary.json"), self.comm)?;
             report::print(&summary, self.state.crater.as_ref(), &self.options.directory);
         }
-        Ok(RunReport { ended, summary, outcome: self.state.outcome, later: self.later })
+        Ok(RunReport { ended, summary, outcome: self.state.outcome, later })
     }
 }

@@ -96,8 +96,20 @@ pub struct RunState {
     pub crater: Option<Crater>,
     /// When that was, s.
     pub outcome_time: f64,
+    /// Where the run has ended; a later end takes it on from there.
+    #[serde(default)]
+    pub end: Option<End>,
     /// Wall time, processor time and MPI waits of all ranks before the last restart, s.
     pub spent: Spent,
+}
+
+/// The end of a run.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct End {
+    /// Whether the outcome is that of the end, not that of the time at which the impact had settled.
+    pub has_outcome: bool,
+    /// The outcome at this end, where the one that counts is an earlier one.
+    pub later: Option<Outcome>,
 }
 
 /// How the late stage began.

@@ -166,7 +166,7 @@ impl Analysis {
                 path: study.scene_path.clone(),
                 set: study.settings.set.iter().map(Change::text).collect(),
                 identity: first.identity.clone(),
-                understood: understood(&first.scene).to_string(),
+                understood: understood(&first.scene.to_toml()).to_string(),
             },
             measure: measure.clone(),
             spacing_of: study.spacing_of.clone(),

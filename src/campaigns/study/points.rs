@@ -106,12 +106,12 @@ fn source(path: &Path, overrides: &[String]) -> Result<Source> {
 
 /// The scene as it is understood, without what changes no result: identifies what a run answers.
 pub fn identity(scene: &Scene) -> String {
-    blake3::hash(understood(scene).to_string().as_bytes()).to_hex().to_string()
+    blake3::hash(understood(&scene.to_toml()).to_string().as_bytes()).to_hex().to_string()
 }
 
-/// What [`identity`] is made of.
-pub fn understood(scene: &Scene) -> Table {
-    let mut table: Table = scene.to_toml().parse().unwrap_or_default();
+/// What [`identity`] is made of; `scene` as it is understood.
+pub fn understood(scene: &str) -> Table {
+    let mut table: Table = scene.parse().unwrap_or_default();
     table.remove("title");
     if let Some(output) = table.get_mut("output").and_then(Value::as_table_mut) {
         // Vibrations are sampled, and impacts found settled, where the history has a row.

@@ -75,12 +75,16 @@ pub fn read(study: &Study, directory: &Path, comm: &Comm) -> Result<Vec<Option<R
 fn read_one(directory: &Path, point: &Point) -> Result<Option<Record>> {
     let path = file(directory, point);
     let place = |e: String| Error::new(e).at(path.display().to_string());
-    let text = match std::fs::read_to_string(&path) {
-        Ok(text) => text,
+    let text = match std::fs::read(&path) {
+        Ok(text) => String::from_utf8_lossy(&text).into_owned(),
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
         Err(e) => return Err(place(e.to_string())),
     };
-    let record: Record = serde_json::from_str(&text).map_err(|e| place(e.to_string()))?;
+    // A run that has ended is not run again: its folder has what it found.
+    let Ok(record) = serde_json::from_str::<Record>(&text) else {
+        tracing::warn!("{} is damaged: the point counts as not run", path.display());
+        return Ok(None);
+    };
     if record.identity != point.identity {
         let what = "this run belongs to another study, or to this one before it was changed";
         return Err(place(what.into()).allowed("the same study, or another folder (--out)").bad_input());

@@ -4,13 +4,14 @@
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use toml::{Table, Value};
+use toml::Table;
 
 use super::analysis::{Analysis, Cost};
 use super::points::{identity, understood};
 use crate::error::{Error, Result};
 use crate::output::summary::Accuracy;
 use crate::scene::Scene;
+use crate::scene::identity::differences;
 
 const KEPT: &str = "inputs/studies";
 const RUNS: &str = "runs";
@@ -73,7 +74,7 @@ fn same_scene(scene: &Scene, study: &Analysis) -> std::result::Result<bool, Stri
         Ok(there) if identity(&there) == study.scene.identity => Ok(true),
         Ok(there) if same_name => {
             let before: Table = study.scene.understood.parse().unwrap_or_default();
-            Err(difference("", &Value::Table(before), &Value::Table(understood(&there))).unwrap_or_default())
+            Err(difference(&before, &understood(&there.to_toml())).unwrap_or_default())
         }
         Err(error) if same_name => Err(format!("whose settings the scene no longer takes: {error}")),
         _ => Ok(false),
@@ -81,25 +82,8 @@ fn same_scene(scene: &Scene, study: &Analysis) -> std::result::Result<bool, Stri
 }
 
 /// The first key that differs, with both values.
-fn difference(key: &str, before: &Value, now: &Value) -> Option<String> {
-    let below = |name: &str| if key.is_empty() { name.to_string() } else { format!("{key}.{name}") };
-    match (before, now) {
-        (Value::Table(before), Value::Table(now)) => {
-            let changed = before.iter().find_map(|(name, value)| match now.get(name) {
-                Some(other) => difference(&below(name), value, other),
-                None => Some(format!("where `{}` was {value} and now is absent", below(name))),
-            });
-            let added = || now.iter().find(|(name, _)| !before.contains_key(*name));
-            changed.or_else(|| {
-                added().map(|(name, value)| format!("where `{}` was absent and now is {value}", below(name)))
-            })
-        }
-        (Value::Array(before), Value::Array(now)) if before.len() == now.len() => {
-            let mut pairs = before.iter().zip(now).enumerate();
-            pairs.find_map(|(k, (before, now))| difference(&below(&k.to_string()), before, now))
-        }
-        (before, now) => (before != now).then(|| format!("where `{key}` was {before} and now is {now}")),
-    }
+fn difference(before: &Table, now: &Table) -> Option<String> {
+    differences(before, now).first().map(|first| format!("where {first}"))
 }
 
 fn refusal(scene: &Scene, accuracy: f64, changed: &[String], unable: &[(PathBuf, Analysis)]) -> Error {
@@ -145,22 +129,4 @@ fn files() -> Vec<PathBuf> {
         .collect();
     runs.sort_by(|a, b| b.cmp(a));
     kept.into_iter().chain(runs.into_iter().map(|(_, path)| path)).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn table(text: &str) -> Value {
-        Value::Table(text.parse().unwrap())
-    }
-
-    #[test]
-    fn the_first_difference_is_named() {
-        let told = |before: &str, now: &str| difference("", &table(before), &table(now));
-        assert_eq!(told("a = 1\n[b]\nc = [1, 2]", "a = 1\n[b]\nc = [1, 2]"), None);
-        assert_eq!(told("[b]\nc = [1, 2]", "[b]\nc = [1, 3]").unwrap(), "where `b.c.1` was 2 and now is 3");
-        assert_eq!(told("a = 1", "").unwrap(), "where `a` was 1 and now is absent");
-        assert_eq!(told("", "[b]\nc = 1").unwrap(), "where `b` was absent and now is { c = 1 }");
-    }
 }

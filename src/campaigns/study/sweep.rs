@@ -11,6 +11,7 @@ use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::output::{Summary, agree};
 use crate::scene::{Until, keys};
+use crate::simulation::lock::Work;
 use crate::simulation::{self, Ended, Options, log};
 
 /// What to do of a study.
@@ -106,7 +107,8 @@ impl Sweep<'_> {
         }
         tracing::info!("{what}, spacing {:.4e} m", point.spacing);
         let directory = self.options.directory.join(point.folder());
-        simulation::directory::prepare(&directory, self.options.resume, comm)?;
+        let work = if point.scene.threshold.is_some() { Work::Search } else { Work::Run };
+        let _lock = simulation::directory::prepare(&directory, self.options.resume, work, comm)?;
         let run = match make(point, &Options { directory, ..self.options.clone() }, comm) {
             Ok(None) => return Ok(Ended::Interrupted),
             Ok(Some(summary)) => to_its_end(point, summary),

@@ -1,0 +1,75 @@
+//! What becomes of a run that is resumed when its scene asks for another end than before: it goes on, or says that it has ended.
+
+use super::late::{binding, free_fall_time};
+use super::report;
+use super::run::{Ended, Run, RunReport};
+use crate::error::Result;
+use crate::outcome::settled::Settled;
+use crate::output::publish::cannot;
+use crate::output::{Summary, agree};
+use crate::scene::{Scene, Until};
+
+/// The summary of a run up to an end that was moved later since.
+const PREVIOUS_SUMMARY: &str = "summary_previous.json";
+
+/// Watches whether an impact has settled, where the scene wants to know. `kinetic`: initial kinetic energy in the
+/// centre-of-mass frame, J.
+pub fn settling(scene: &Scene, kinetic: f64) -> Option<Settled> {
+    let settles = scene.run.until == Until::Settled || scene.late_stage.is_some_and(|l| l.at == Until::Settled);
+    scene.impact.as_ref().filter(|_| settles).map(|_| {
+        let (contact, crossing) = (report::first_contact(scene), report::crossing(scene));
+        let settled = Settled::new(contact, crossing, kinetic);
+        if scene.gravity.own.is_some() { settled.bound_by(binding(scene), free_fall_time(scene)) } else { settled }
+    })
+}
+
+impl<const D: usize> Run<'_, D> {
+    /// Before the first step after a restart: what the run found where it had ended, if that is still its end and all of it is
+    /// on disk. Otherwise none, and the run goes on. Collective.
+    pub(super) fn take_up(&mut self) -> Result<Option<RunReport>> {
+        if self.state.settled.is_none() {
+            self.state.settled = settling(self.scene, self.state.conservation.energy_scale);
+        }
+        let Some(end) = self.state.end.clone() else {
+            // That of an impact which ends at a given time is the one of its end.
+            if matches!(self.scene.run.until, Until::Time(_)) {
+                (self.state.outcome, self.state.crater) = (None, None);
+            }
+            return Ok(None);
+        };
+        // Found at an end that may be none any more.
+        let is_of_end = end.has_outcome || matches!(self.scene.run.until, Until::Time(_));
+        let found = (self.state.outcome.clone(), self.state.crater.clone());
+        if is_of_end {
+            (self.state.outcome, self.state.crater) = (None, None);
+        }
+        if !self.is_over() {
+            return self.go_beyond().map(|()| None);
+        }
+        (self.state.outcome, self.state.crater) = found;
+        let path = self.options.directory.join("summary.json");
+        let steps = self.state.counters.steps;
+        let matches = |summary: &Summary| (summary.steps, summary.time) == (steps, self.state.time);
+        let Some(summary) = Summary::read(&path, self.comm).filter(matches) else { return Ok(None) };
+        tracing::info!(
+            "the run has ended before, at t = {:.4e} s, step {steps}: nothing is done; a later end (run.until, run.max_time, \
+             run.steps) takes it further",
+            self.state.time
+        );
+        Ok(Some(RunReport { ended: Ended::Finished, summary, outcome: self.state.outcome.clone(), later: end.later }))
+    }
+
+    /// The end has been moved later. Collective.
+    fn go_beyond(&mut self) -> Result<()> {
+        let (from, to) = ("summary.json", PREVIOUS_SUMMARY);
+        let path = self.options.directory.join(from);
+        let keep = || match path.exists() {
+            true => std::fs::rename(&path, path.with_file_name(to)).map_err(|e| cannot("rename", &path, e)),
+            false => Ok(()),
+        };
+        agree(self.comm, if self.comm.is_root() { keep() } else { Ok(()) })?;
+        self.state.end = None;
+        tracing::info!("the run had ended at t = {:.4e} s and goes on; what it found is now in {to}", self.state.time);
+        Ok(())
+    }
+}
