@@ -13,7 +13,7 @@ use sph_mpi::random::uniform;
 use sph_mpi::scene::{self, Scene};
 use sph_mpi::simulation::setup;
 
-use crate::common::{Launch, ranks, same_on_any_ranks, summary};
+use crate::common::{Launch, assert_known_files, ranks, same_on_any_ranks, summary};
 
 /// Strengthless rock with a shell that swallows waves, hit at 30 deg from the horizontal.
 const GROUND: &str = r#"
@@ -309,6 +309,7 @@ fn a_small_impact_leaves_a_crater() {
         let dir = tempfile::tempdir().expect("a temporary directory");
         Launch::in_directory(ranks, dir.path(), GROUND, &[]).limit(400).run().expect_code(0);
         let out = dir.path().join("run");
+        assert_known_files(&out);
         let tables: BTreeMap<&str, String> = ["ejecta.csv", "crater.csv"].map(|name| (name, csv(&out, name))).into();
         (dir, summary(&out), tables)
     };

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{Launch, PROGRAM, summary};
+use crate::common::{Launch, PROGRAM, assert_known_files, summary};
 use crate::errors::assert_refused;
 
 const SCENE: &str = include_str!("../inputs/exact/sod.toml");
@@ -101,6 +101,7 @@ fn the_same_on_any_ranks_and_through_interruptions() {
     for file in ["study.csv", "study.md", "error_core_seconds.png", "error_pairs.png", "log.txt"] {
         assert!(dir.path().join("run").join(file).exists(), "{file}");
     }
+    ["run", "run/point_001"].map(|part| assert_known_files(&dir.path().join(part)));
     // What is asked of it may change: nothing runs again.
     let args = ["study.toml", "--out", "run", "--resume", "--set", "study.target=0.05"];
     launch(1, dir.path(), &args).env("SPH_MPI_FAULT", "panic:0:1").run().expect_code(0);

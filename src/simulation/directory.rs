@@ -9,7 +9,7 @@ use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::output::agree;
 use crate::output::checkpoint::{NEWEST, PREVIOUS};
-use crate::output::publish::{cannot, replace_text};
+use crate::output::publish::cannot;
 
 /// Tells a folder that sph-mpi made, or found empty, from one of the user's.
 const MARK: &str = ".sph-mpi";
@@ -67,7 +67,7 @@ fn prepare_alone(path: &Path, resume: bool, work: Work) -> Result<Lock> {
     }
     if found.is_empty() {
         mark(&folder)?;
-    } else if folder.join(MARK).exists() {
+    } else if folder.join(MARK).exists() && found.iter().any(|name| is_of_a_run(name)) {
         return make_room(&folder, lock, work);
     } else {
         refuse_to_overwrite(path, &found)?;
@@ -101,8 +101,10 @@ fn entries(folder: &Path) -> Vec<String> {
     names
 }
 
+/// Tasks may do so at once: whole or not, it is there.
 fn mark(folder: &Path) -> Result<()> {
-    replace_text(&folder.join(MARK), MARK_SAYS)
+    let path = folder.join(MARK);
+    std::fs::write(&path, MARK_SAYS).map_err(|e| cannot("write", &path, e))
 }
 
 /// No other process may be at work in a folder of a search or study, nor the search or study whose folder this is. Points of a

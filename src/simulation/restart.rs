@@ -50,13 +50,28 @@ impl<const D: usize> Run<'_, D> {
         let path = self.options.directory.join("summary.json");
         let steps = self.state.counters.steps;
         let matches = |summary: &Summary| (summary.steps, summary.time) == (steps, self.state.time);
-        let Some(summary) = Summary::read(&path, self.comm).filter(matches) else { return Ok(None) };
+        let summary = Summary::read(&path, self.comm).filter(matches);
+        let Some(summary) = summary.filter(|_| self.has_its_files()) else { return Ok(None) };
         tracing::info!(
             "the run has ended before, at t = {:.4e} s, step {steps}: nothing is done; a later end (run.until, run.max_time, \
              run.steps) takes it further",
             self.state.time
         );
         Ok(Some(RunReport { ended: Ended::Finished, summary, outcome: self.state.outcome.clone(), later: end.later }))
+    }
+
+    /// Whether what comes after the last checkpoint is there: a disk may have been full. Collective.
+    fn has_its_files(&self) -> bool {
+        let scene = self.scene;
+        let wanted = [
+            ("outcome.png", scene.output.picture),
+            ("fragments.csv", scene.impact.is_some() && !scene.hits_ground()),
+            ("nbody.csv", scene.nbody.is_some()),
+        ];
+        let lacks = |(name, wanted): &(&str, bool)| *wanted && !self.options.directory.join(name).exists();
+        let mut lacking = [(self.comm.is_root() && wanted.iter().any(lacks)) as i64];
+        self.comm.all_sum(&mut lacking);
+        lacking[0] == 0
     }
 
     /// The end has been moved later. Collective.

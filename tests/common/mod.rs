@@ -276,6 +276,17 @@ pub fn same_on_any_ranks(name: &str, body: impl FnOnce(&Comm) -> String) {
     }
 }
 
+/// Fails where a run has left a file that is not known as one of a run's: beside files of the user's it might be written over.
+#[track_caller]
+pub fn assert_known_files(run: &Path) {
+    let entries = fs::read_dir(run).unwrap_or_else(|e| panic!("{}: {e}", run.display())).flatten();
+    let unknown: Vec<_> = entries
+        .map(|entry| entry.file_name().to_string_lossy().into_owned())
+        .filter(|name| name != ".sph-mpi" && !sph_mpi::simulation::directory::is_of_a_run(name))
+        .collect();
+    assert!(unknown.is_empty(), "{unknown:?} in {}", run.display());
+}
+
 /// `summary.json` of a run.
 pub fn summary(run: &Path) -> serde_json::Value {
     let path = run.join("summary.json");
