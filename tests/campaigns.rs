@@ -92,7 +92,9 @@ fn every_point_is_a_search_and_the_table_grows() {
     assert!(q_star[1] < 0.5 * q_star[0], "{q_star:?}");
     let page = fs::read_to_string(dir.path().join("run/study.md")).expect("a page");
     assert!(page.contains("| 1 | rock | 10000 | 5000 |") && !page.contains("Pareto: "), "{page}");
-    ["run", "run/point_001", "run/point_001/impact_01"].map(|part| assert_known_files(&dir.path().join(part)));
+    for part in ["run", "run/point_001", "run/point_001/impact_01"] {
+        assert_known_files(&dir.path().join(part));
+    }
     assert!(dir.path().join("run/q_star.png").exists() && !dir.path().join("run/error_pairs.png").exists());
 
     // In tasks, on other ranks: the same.

@@ -101,7 +101,8 @@ fn the_same_on_any_ranks_and_through_interruptions() {
     for file in ["study.csv", "study.md", "error_core_seconds.png", "error_pairs.png", "log.txt"] {
         assert!(dir.path().join("run").join(file).exists(), "{file}");
     }
-    ["run", "run/point_001"].map(|part| assert_known_files(&dir.path().join(part)));
+    assert_known_files(&dir.path().join("run"));
+    assert_known_files(&dir.path().join("run/point_001"));
     // What is asked of it may change: nothing runs again.
     let args = ["study.toml", "--out", "run", "--resume", "--set", "study.target=0.05"];
     launch(1, dir.path(), &args).env("SPH_MPI_FAULT", "panic:0:1").run().expect_code(0);

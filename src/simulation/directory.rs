@@ -278,6 +278,19 @@ mod tests {
         assert_eq!((read(&path.join("scene.toml")), entries(folder.path())), ("mine".into(), vec!["project".into()]));
     }
 
+    /// Emptied and filled with other things, a folder that sph-mpi once made is the user's.
+    #[test]
+    fn a_folder_without_a_run_is_not_renamed() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("project");
+        run(&path, "gone").unwrap();
+        fs::remove_file(path.join("summary.json")).unwrap();
+        fs::write(path.join("notes.txt"), "mine").unwrap();
+        run(&path, "here").unwrap();
+        assert_eq!((read(&path.join("notes.txt")), read(&path.join("summary.json"))), ("mine".into(), "here".into()));
+        assert_eq!(entries(folder.path()), ["project"]);
+    }
+
     #[test]
     fn symbolic_links_are_followed() {
         let folder = tempfile::tempdir().unwrap();
