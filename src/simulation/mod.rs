@@ -13,10 +13,12 @@ pub mod modes;
 mod nbody;
 pub mod probes;
 pub mod report;
+mod require;
 pub mod resources;
 pub mod run;
 pub mod setup;
 pub mod signals;
 pub mod state;
 
+pub use require::require;
 pub use run::{Ended, Options, RunReport, run};

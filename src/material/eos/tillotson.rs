@@ -326,4 +326,32 @@ mod tests {
             assert!(law.pressure(f64::NAN, 0.0).0.is_nan() && law.pressure(law.rho_0, f64::NAN).0.is_nan());
         }
     }
+
+    /// Basalt in each branch, from the formulas and numbers of Benz & Asphaug 1999 written out.
+    #[test]
+    fn branches_by_hand() {
+        let law = law(basalt());
+        let omega = |eta: f64, u: f64| 1.0 + u / (487e6 * eta * eta);
+        let near = |eta: f64, u: f64, expected: f64| {
+            let (p, _) = law.pressure(2700.0 * eta, u);
+            assert!((p / expected - 1.0).abs() < 1e-12, "{eta} {u}: {p:e} {expected:e}");
+        };
+        let condensed = |eta: f64, u: f64| {
+            let mu = eta - 1.0;
+            (0.5 + 1.5 / omega(eta, u)) * 2700.0 * eta * u + 26.7e9 * mu + 26.7e9 * mu * mu
+        };
+        let vapour = |eta: f64, u: f64| {
+            let (rho, mu, nu) = (2700.0 * eta, eta - 1.0, 1.0 / eta - 1.0);
+            let cold = 26.7e9 * mu * f64::exp(-5.0 * nu);
+            0.5 * rho * u + (1.5 * rho * u / omega(eta, u) + cold) * f64::exp(-5.0 * nu * nu)
+        };
+        near(1.3, 2e7, condensed(1.3, 2e7));
+        near(0.98, 3e6, condensed(0.98, 3e6));
+        for (eta, u) in [(0.9, 2e7), (0.5, 2.5e7), (0.5, 18.2e6), (0.05, 4e7)] {
+            near(eta, u, vapour(eta, u));
+        }
+        // A quarter of the way from incipient to complete vaporisation.
+        let u = 4.72e6 + 0.25 * (18.2e6 - 4.72e6);
+        near(0.97, u, 0.75 * condensed(0.97, u) + 0.25 * vapour(0.97, u));
+    }
 }
