@@ -349,7 +349,7 @@ fn numbers_beyond_reach_are_refused_at_their_key() {
         (
             "spacing = 0.2",
             "spacing = 0.2\nvelocity = [1e200, 0, 0]",
-            "s.toml:6: body ball, velocity: 1e200 is beyond the reach of numbers",
+            "s.toml:6: body ball, velocity.0: 1e200 is beyond the reach of numbers",
         ),
         ("spacing = 0.2", "spacing = 0.2\npressure = 1e308", "s.toml:6: body ball, pressure: 1e308 is beyond"),
         (
