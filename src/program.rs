@@ -1,6 +1,7 @@
 //! The program: arguments, one scene for all ranks, the run it asks for, and one place that prints errors.
 
-use std::path::PathBuf;
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
 
 use clap::Parser;
 
@@ -8,10 +9,13 @@ use crate::campaigns::study::{self, Part, Sources, Study, points, stored};
 use crate::campaigns::{cost, search};
 use crate::cli::Args;
 use crate::domain::comm::Comm;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, plain};
+use crate::math::lanes;
 use crate::output::summary::Accuracy;
 use crate::output::{agree, collective};
-use crate::scene::{self, Scene};
+use crate::scene::source::Source;
+use crate::scene::{self, Scene, input};
+use crate::simulation::faults::Fault;
 use crate::simulation::lock::{Lock, Work};
 use crate::simulation::{self, Ended, Options, directory, log, resources, signals};
 use crate::step::workers;
@@ -32,7 +36,7 @@ pub fn main() -> i32 {
         Ok(args) => on_all_ranks(&args, resident_at_start, &comm),
         Err(error) => {
             if comm.is_root() {
-                let _ = error.print();
+                say(&error);
             }
             error.exit_code()
         }
@@ -42,6 +46,15 @@ pub fn main() -> i32 {
     }
     comm.finish();
     code
+}
+
+/// What the command line gets for an answer: in colours, unless it holds what no terminal should get.
+fn say(error: &clap::Error) {
+    let text = error.render().to_string();
+    match plain(&text) {
+        Cow::Borrowed(_) => drop(error.print()),
+        Cow::Owned(text) => eprint!("{text}"),
+    }
 }
 
 /// What the file asks for.
@@ -54,6 +67,9 @@ enum Task {
 fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
     log::start(comm.rank(), args.quiet);
     resources::hold_memory();
+    if let Err(error) = check_machine(args, comm) {
+        return complain(&error, BAD_INPUT, comm);
+    }
     let task = match read(args, comm) {
         Ok(task) => task,
         Err(error) => return complain(&error, BAD_INPUT, comm),
@@ -62,7 +78,7 @@ fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
         return match describe(args, &task, comm) {
             Ok(text) => {
                 if comm.is_root() {
-                    print!("{text}");
+                    print!("{}", plain(&text));
                 }
                 0
             }
@@ -103,13 +119,14 @@ fn read(args: &Args, comm: &Comm) -> Result<Task> {
     let read = || -> Result<Texts> {
         let refused =
             |what: &str, allowed: &str| Err(Error::new(what).at(args.scene.display().to_string()).allowed(allowed));
-        if points::is_study(&args.scene) {
+        let source = Source::open(&args.scene, &args.overrides)?;
+        if points::is_study(&source) {
             if args.accuracy.is_some() {
                 return refused("--accuracy of a study", "the scene that was studied");
             }
-            return Ok((None, Some(points::read(&args.scene, &args.overrides)?)));
+            return Ok((None, Some(points::read(source)?)));
         }
-        let scene = scene::read(&args.scene, &args.overrides)?;
+        let scene = scene::of(source)?;
         if args.task.is_some() || args.collect || args.points {
             return refused("a single scene has no points", "a file with a [study] table");
         }
@@ -119,12 +136,19 @@ fn read(args: &Args, comm: &Comm) -> Result<Task> {
     };
     let mut bytes = Vec::new();
     if comm.is_root() {
-        bytes = serde_json::to_vec(&read()).map_err(|e| Error::new(e.to_string()))?;
+        let read = read();
+        // The others wait for an answer, whatever it is.
+        bytes = serde_json::to_vec(&read)
+            .or_else(|e| serde_json::to_vec(&Err::<Texts, _>(Error::new(format!("the scene cannot be sent: {e}")))))
+            .unwrap_or_default();
     }
     comm.broadcast(&mut bytes);
     let read: Result<Texts> = serde_json::from_slice(&bytes).map_err(|e| Error::new(e.to_string()))?;
     match read? {
-        (Some((scene, choice)), _) => Ok(Task::Scene(Box::new(scene), choice)),
+        (Some((scene, choice)), _) => {
+            simulation::require(&scene)?;
+            Ok(Task::Scene(Box::new(scene), choice))
+        }
         (None, Some(sources)) => Ok(Task::Study(Box::new(Study::new(&sources)?))),
         (None, None) => Err(Error::new("nothing was read")),
     }
@@ -158,13 +182,33 @@ fn part(args: &Args) -> Part {
 
 /// A study often has the name of its scene: its folder must not be that of the scene's runs.
 fn usual_directory(args: &Args, task: &Task) -> PathBuf {
-    let directory = directory::default_directory(&args.scene);
+    // What comes through a pipe has no name of its own.
+    let name = if input::is_passed_on(&args.scene) { Path::new("stdin") } else { &args.scene };
+    let directory = directory::default_directory(name);
     match task {
         Task::Scene(..) => directory,
         Task::Study(_) => {
             directory.with_file_name(format!("{}_study", directory.file_name().unwrap_or_default().to_string_lossy()))
         }
     }
+}
+
+/// Threads that nobody means to start, on any number of cores; and over how many to a core.
+const MOST_THREADS: usize = 256;
+const MOST_PER_CORE: usize = 4;
+
+/// What the environment and the command line say of this machine. Ranks may stand on different ones. Collective.
+fn check_machine(args: &Args, comm: &Comm) -> Result<()> {
+    let cores = workers::usable_cores();
+    let most = MOST_THREADS.max(MOST_PER_CORE * cores);
+    let threads = match args.threads {
+        Some(threads) if threads as usize > most => {
+            let what = format!("{threads} threads on {cores} usable cores");
+            Err(Error::new(what).at("--threads").allowed(format!("1 to {most}")))
+        }
+        _ => Ok(()),
+    };
+    agree(comm, threads.and(lanes::check_wish()).and(Fault::check()))
 }
 
 /// Directory, threads, signals; the lock of the directory, on rank 0.

@@ -262,8 +262,21 @@ fn read(text: &str, wanted: Dimension) -> Result<f64> {
         Some(found) if !wanted.accepts(found) => {
             Err(Error::new(format!("\"{text}\" is {}; {} is wanted", found.name(), wanted.name())).allowed(allowed()))
         }
-        _ => Ok(value),
+        _ => within_reach(value, wanted),
     }
+}
+
+/// The largest quantity in SI units: what is computed with it stays a number. No matter comes near.
+const LARGEST: f64 = 1e100;
+/// Of flaws there may be more: k of Weibull's law grows with its other parameter.
+const COUNTS: Dimension = Dimension([-3, 0, 0, 0]);
+
+fn within_reach(value: f64, wanted: Dimension) -> Result<f64> {
+    if value.abs() <= LARGEST || (wanted == COUNTS && value.is_finite()) {
+        return Ok(value);
+    }
+    let what = format!("{value:e} is beyond the reach of numbers; {} is wanted", wanted.name());
+    Err(Error::new(what).allowed(format!("up to {LARGEST:e} {}", wanted.unit()).trim_end()))
 }
 
 /// The number of SI units that a text with any unit stands for.
@@ -333,11 +346,10 @@ impl Visitor<'_> for QuantityVisitor {
     }
 
     fn visit_f64<E: serde::de::Error>(self, value: f64) -> std::result::Result<f64, E> {
-        if value.is_finite() {
-            Ok(value)
-        } else {
-            Err(E::custom(format!("{value} is not finite; {} is wanted", self.0.name())))
+        if !value.is_finite() {
+            return Err(E::custom(format!("{value} is not finite; {} is wanted", self.0.name())));
         }
+        within_reach(value, self.0).map_err(E::custom)
     }
 
     fn visit_i64<E: serde::de::Error>(self, value: i64) -> std::result::Result<f64, E> {
@@ -400,6 +412,9 @@ mod tests {
         assert_eq!("2 h".parse::<Time>().unwrap().0, 7200.0);
         assert_eq!("1 day".parse::<Time>().unwrap().0, 86_400.0);
         assert_eq!("3 min".parse::<Time>().unwrap().0, 180.0);
+        // 365.25 days of 86400 s.
+        assert_eq!("2 yr".parse::<Time>().unwrap().0, 63_115_200.0);
+        assert_eq!("1 m/yr".parse::<Speed>().unwrap().0, 1.0 / 31_557_600.0);
         assert_eq!("180 deg".parse::<Angle>().unwrap().0, std::f64::consts::PI);
         assert_eq!("6 1/min".parse::<Frequency>().unwrap().0, 0.1);
         assert_eq!("2 rad/s".parse::<Frequency>().unwrap().0, 2.0);
@@ -431,6 +446,9 @@ mod tests {
             "\"50 kg\" is a mass; a length is wanted (allowed: \"50 km\", \"3 cm\", \"1e-6 m\", or a number of m)"
         );
         assert!("5 parsec".parse::<Length>().unwrap_err().to_string().contains("unknown unit `parsec`"));
+        let text = "1e98 km".parse::<Length>().unwrap_err().to_string();
+        assert_eq!(text, "1e101 is beyond the reach of numbers; a length is wanted (allowed: up to 1e100 m)");
+        assert!("1e120 m^-3".parse::<NumberDensity>().is_ok() && "-1e101".parse::<Number>().is_err());
         assert!("45 deg".parse::<Number>().is_err());
         assert!("5 m".parse::<Angle>().is_err());
         for bad in

@@ -481,3 +481,51 @@ fn a_scene_without_boundaries_has_no_column_of_them() {
     let layers = [&motion[..], &["layer"]].concat();
     assert_eq!(extra(CHANNEL).into_iter().collect::<BTreeSet<_>>(), sorted(&layers));
 }
+
+/// Matter at both ends of a period pushes itself apart as matter that lies side by side does, along any axis: images come with the
+/// right sign.
+#[test]
+fn images_push_from_where_they_are() {
+    ranks(1, "boundaries::images_push_from_where_they_are", |comm| {
+        for axis in 0..3 {
+            let place = |x: f64| {
+                let mut at = [0.5; 3];
+                at[axis] = x;
+                format!("{at:?}")
+            };
+            let boxes = |other: f64| {
+                let body = |name: &str, x: f64, density: f64| {
+                    format!(
+                        "[[body]]\nname = \"{name}\"\nshape = {{ box = {{ size = [1, 1, 1] }} }}\nmaterial = \"basalt\"\nspacing = 0.25\n\
+                         lattice = \"cubic\"\nposition = {}\ndensity = {density}\n",
+                        place(x)
+                    )
+                };
+                body("one", 0.5, 3000.0) + &body("other", other, 2900.0) + "[run]\nuntil = 1\n"
+            };
+            let accelerations = |text: &str| {
+                let hand = ByHand::<3>::new(text, comm, |_| {});
+                let mut all: Vec<(u64, Vec3)> = hand.particles().map(|i| (hand.id(i), hand.acceleration(i))).collect();
+                all.sort_by_key(|(id, _)| *id);
+                all
+            };
+            let beside = accelerations(&boxes(-0.5));
+            let across = accelerations(&format!(
+                "{}[domain]\nperiodic = {{ {} = [0, 4] }}\n",
+                boxes(3.5),
+                ["x", "y", "z"][axis]
+            ));
+            let alone = accelerations(&boxes(-5.0));
+            let largest = beside.iter().map(|(_, a)| a.norm()).fold(0.0, f64::max);
+            let apart = |other: &[(u64, Vec3)]| {
+                beside
+                    .iter()
+                    .zip(other)
+                    .map(|((i, a), (j, b))| if i == j { (a - b).norm() } else { f64::INFINITY })
+                    .fold(0.0, f64::max)
+            };
+            assert!(apart(&across) < 1e-10 * largest, "axis {axis}: {} of {largest}", apart(&across));
+            assert!(apart(&alone) > 0.1 * largest, "they push each other");
+        }
+    });
+}

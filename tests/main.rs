@@ -3,6 +3,7 @@
 mod allocations;
 mod architecture;
 mod balance;
+mod bookkeeping;
 mod boundaries;
 mod campaigns;
 mod common;
@@ -19,6 +20,7 @@ mod hard_neighbours;
 mod hard_pores;
 mod hard_pores_shocks;
 mod hard_rubble;
+mod input;
 mod late_stage;
 mod nbody;
 mod output;

@@ -230,3 +230,29 @@ fn expanding_rubble_has_one_outcome() {
         digest(comm, &evaluation)
     });
 }
+
+/// A rod of which a part is damaged: one fragment by the usual threshold, a shorter one by the strict. Both shares of it, over the
+/// target and over everything.
+#[test]
+fn shares_are_those_of_the_masses_they_are_named_for() {
+    same_on_any_ranks("ranks_outcome::shares_are_those_of_the_masses_they_are_named_for", |comm| {
+        let rod = |k: i64| particle(k as u64, [k - 6, 0, 0], Vec3::zeros(), if k < 4 { 0.2 } else { 0.7 });
+        let dust = |k: i64| particle(20 + k as u64, [0, 10 * k, 0], Vec3::zeros(), 1.0);
+        let all: Vec<Particle> = (0..10).map(rod).chain((1..=5).map(dust)).collect();
+        let mine = share(comm, &all, 7.0 * SPACING);
+        let question = Question { dimension: 2, target_mass: 12.0 * all[0].mass };
+        let evaluation = evaluate(comm, &mine, &question);
+        let outcome = &evaluation.outcome;
+        let near =
+            |found: f64, expected: f64| assert!((found - expected).abs() < 1e-14, "{found} {expected}: {outcome:?}");
+        near(outcome.largest_remnant_fraction, 10.0 / 12.0);
+        near(outcome.largest_remnant_of_total, 10.0 / 15.0);
+        near(outcome.second_remnant_fraction, 1.0 / 12.0);
+        near(outcome.largest_fragment_fraction, 10.0 / 12.0);
+        near(outcome.unbound_mass / all[0].mass, 5.0);
+        near(outcome.strict.largest_remnant_fraction, 4.0 / 12.0);
+        near(outcome.strict.largest_fragment_fraction, 4.0 / 12.0);
+        assert_eq!((outcome.fragments, outcome.strict.fragments), (1, 1));
+        digest(comm, &evaluation)
+    });
+}

@@ -10,6 +10,7 @@ use super::text::{aligned, duration, number, size, words};
 use crate::domain::comm::Comm;
 use crate::error::Result;
 use crate::kernel::SUPPORT;
+use crate::material::BodyConstants;
 use crate::outcome::settled::Settled;
 use crate::particles::Life;
 use crate::particles::columns::Entry;
@@ -26,7 +27,7 @@ const IMPACTS: f64 = 6.0;
 /// Describes the scene and its cost on `ranks` ranks of one thread each, over a `network` of that latency, s, and bandwidth,
 /// bytes/s, where they are given. Collective.
 pub fn check(scene: &Scene, ranks: usize, network: Option<(f64, f64)>, comm: &Comm) -> Result<String> {
-    let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
+    let plan = setup::plan(scene, particles(scene, comm)?);
     let footprint = Footprint::new(scene, &plan, ranks);
     let pace = pace::measure(scene, &plan.constants, (footprint.owned, network), comm)?;
     let life = list_life(scene, &plan).unwrap_or(pace.life);
@@ -43,6 +44,11 @@ pub fn check(scene: &Scene, ranks: usize, network: Option<(f64, f64)>, comm: &Co
     Ok(parts.concat())
 }
 
+/// Particles are not listed where there are many of them. Collective.
+fn particles(scene: &Scene, comm: &Comm) -> Result<Vec<BodyConstants>> {
+    setup::expected_particles(scene).map_or_else(|| setup::count_particles(scene, comm), Ok)
+}
+
 fn bodies(scene: &Scene, plan: &Plan) -> String {
     let mut rows =
         vec![words(["body", "material", "particles", "spacing (m)", "h (m)", "mass (kg)", "density (kg/m^3)"])];
@@ -57,7 +63,18 @@ fn bodies(scene: &Scene, plan: &Plan) -> String {
             number(body.density),
         ]);
     }
-    format!("{}\n{} in {} dimensions\n\n{}", scene.title, scene.path(), scene.dimension, aligned(&rows))
+    let title = scene.title.replace('\n', " ");
+    let mut text = format!("{title}\n{} in {} dimensions\n\n{}", scene.path(), scene.dimension, aligned(&rows));
+    if setup::expected_particles(scene).is_some() {
+        text += "  numbers of particles are those that volumes give\n";
+    }
+    text + &warnings(scene)
+}
+
+/// What is unlikely about the scene.
+pub fn warnings(scene: &Scene) -> String {
+    let lines: String = scene.warnings().iter().map(|warning| format!("warning: {warning}\n")).collect();
+    if lines.is_empty() { lines } else { format!("\n{lines}") }
 }
 
 /// Effects and pair terms, each with the tables that ask for it.
@@ -130,7 +147,8 @@ fn memory(plan: &Plan, footprint: &Footprint, ranks: usize) -> String {
     let available = resources::available_bytes();
     line("on all ranks", format!("{:>10} of {} available on this machine", size(all), size(available)));
     if available > 0.0 && all > available {
-        line("warning", format!("{ranks} ranks on this machine would not fit into its memory"));
+        let (needs, has) = (size(all), size(available));
+        line("warning", format!("it does not fit into this machine: needs {needs}, and there are {has}"));
     }
     let sent = format!("{} per rank, {} in all", size(footprint.sent()), size(footprint.sent() * ranks as f64));
     line("sent in a step", sent);
@@ -203,7 +221,7 @@ pub struct Price {
 
 /// Predicts a run on `ranks` ranks of one thread each, by a pace that was measured with the same effects. Collective.
 pub fn predict(scene: &Scene, ranks: usize, pace: &Pace, comm: &Comm) -> Result<Price> {
-    let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
+    let plan = setup::plan(scene, particles(scene, comm)?);
     let footprint = Footprint::new(scene, &plan, ranks);
     let life = list_life(scene, &plan).unwrap_or(pace.life);
     let cost = Step::new(&pace.machine, &load(scene, &plan, &footprint, (ranks, life)));
@@ -212,7 +230,7 @@ pub fn predict(scene: &Scene, ranks: usize, pace: &Pace, comm: &Comm) -> Result<
 
 /// The pace of a scene. Collective.
 pub fn pace(scene: &Scene, ranks: usize, network: Option<(f64, f64)>, comm: &Comm) -> Result<Pace> {
-    let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
+    let plan = setup::plan(scene, particles(scene, comm)?);
     pace::measure(scene, &plan.constants, (Footprint::new(scene, &plan, ranks).owned, network), comm)
 }
 

@@ -207,4 +207,14 @@ mod tests {
         assert_eq!(threshold(&points(&[1.0, 2.0], |_| 0.1, |_| 0.1)), None);
         assert_eq!(threshold(&[]), None);
     }
+
+    /// By hand: the mean's error, sqrt(1 / 4), and the slope's, 10 sqrt(1 / 50), at the crossing 10 beyond the middle.
+    #[test]
+    fn the_error_of_a_crossing_grows_with_its_distance() {
+        let line = Line { middle: 100.0, mean: 0.6, fall: 0.01, total: 4.0, spread: 50.0, scatter: 0.02 };
+        let (q, error) = line.crossing();
+        assert!((q - 110.0).abs() < 1e-12 && (error - 2.0 * 2.25f64.sqrt()).abs() < 1e-12, "{q} {error}");
+        let (q, error) = Line { mean: 0.5, ..line }.crossing();
+        assert!((q - 100.0).abs() < 1e-12 && (error - 1.0).abs() < 1e-12, "{q} {error}");
+    }
 }

@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use crate::error::plain;
+
 /// Cells of a row.
 pub fn words<const N: usize>(cells: [&str; N]) -> Vec<String> {
     cells.map(str::to_string).to_vec()
@@ -10,10 +12,13 @@ pub fn words<const N: usize>(cells: [&str; N]) -> Vec<String> {
 /// Rows with their cells below each other.
 pub fn aligned(rows: &[Vec<String>]) -> String {
     let columns = rows.first().map_or(0, Vec::len);
+    // Names may hold anything.
+    let cell = |cell: &String| plain(cell).replace('\n', "\\n");
+    let rows: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(cell).collect()).collect();
     let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..columns).map(width).collect();
     let mut text = String::new();
-    for row in rows {
+    for row in &rows {
         let line: String = row.iter().zip(&widths).map(|(cell, width)| format!("  {cell:<width$}")).collect();
         let _ = writeln!(text, "{}", line.trim_end());
     }

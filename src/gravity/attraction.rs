@@ -148,3 +148,27 @@ fn order(accuracy: f64) -> usize {
         _ => 5,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The evaluation nearest to its time: half a step before or after it.
+    #[test]
+    fn gravity_is_due_at_the_step_nearest_to_its_time() {
+        let own = OwnGravity::declare(&mut Registry::new(3), 0.01, 10.0);
+        assert!(own.is_due(None, 1.0), "it never was before");
+        for (since, dt, due) in [
+            (0.0, 1.0, false),
+            (9.4, 1.0, false),
+            (9.5, 1.0, true),
+            (9.6, 1.0, true),
+            (7.9, 4.0, false),
+            (8.0, 4.0, true),
+        ] {
+            assert_eq!(own.is_due(Some(since), dt), due, "{since} {dt}");
+        }
+        let always = OwnGravity { interval: 0.0, ..own };
+        assert!(always.is_due(Some(0.0), 1e-9));
+    }
+}

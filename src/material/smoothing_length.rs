@@ -52,3 +52,57 @@ impl MaterialEffect for SmoothingLength {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::gas;
+    use super::super::{BodyConstants, Records, declare_core};
+    use super::*;
+    use crate::particles::Columns;
+    use crate::particles::chunk::Chunks;
+
+    /// h over h_0 where density is `ratio` times that at the start.
+    fn stretch(dimension: usize, ratio: f64) -> f64 {
+        let (density, smoothing_length) = (2700.0, 1.2);
+        let constants =
+            [BodyConstants { particle_mass: 1.0, smoothing_length, particles: 1, density, distention: 1.0 }];
+        let setup = Setup {
+            dimension,
+            materials: &[gas()],
+            body_material: &[0],
+            constants: &constants,
+            initial_damage: &[0.0],
+            records: Records::default(),
+            smoothing_length: Some(Bounds { smallest: 0.25, largest: 5.0 }),
+        };
+        let mut registry = Registry::new(dimension);
+        let core = declare_core(&mut registry);
+        let effect = SmoothingLength::declare(&setup, &mut registry, &core).expect("bounds ask for it");
+        let mut columns = Columns::new(registry);
+        columns.resize(1);
+        columns.set(core.density.value, 0, ratio * density);
+        let chunks = Chunks::new(&mut columns, Vec::new());
+        // SAFETY: the only chunk.
+        let chunk = unsafe { chunks.chunk(0..1) };
+        effect.update(&Local {
+            chunk: &chunk,
+            bodies: &[0],
+            constants: &constants,
+            motion: &[],
+            new_rates: &[],
+            dt: 0.0,
+        });
+        columns.get(effect.value, 0) / smoothing_length
+    }
+
+    /// Mass in a ball, or a disc, of radius h stays the same; bounds hold.
+    #[test]
+    fn smoothing_lengths_keep_the_number_of_neighbours() {
+        for (dimension, ratio, expected) in
+            [(3, 8.0, 0.5), (2, 4.0, 0.5), (3, 1.0 / 64.0, 4.0), (2, 1.0 / 16.0, 4.0), (3, 1e3, 0.25), (2, 1e-3, 5.0)]
+        {
+            let found = stretch(dimension, ratio);
+            assert!((found / expected - 1.0).abs() < 1e-12, "{dimension}D, {ratio}: {found}");
+        }
+    }
+}

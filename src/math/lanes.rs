@@ -6,6 +6,8 @@
 use std::arch::x86_64::*;
 use std::sync::OnceLock;
 
+use crate::error::{Error, Result};
+
 /// Lanes per vector on every instruction set.
 pub const LANES: usize = 8;
 
@@ -30,13 +32,31 @@ pub fn width() -> Width {
         } else {
             Width::Portable
         };
-        match std::env::var("SPH_MPI_SIMD").as_deref() {
-            Ok("portable") => Width::Portable,
-            Ok("avx2") if avx2 => Width::Avx2,
-            Ok("avx512") if avx512 => Width::Avx512,
+        match wish(&std::env::var(WISH).unwrap_or_default()) {
+            Ok(Some(Width::Portable)) => Width::Portable,
+            Ok(Some(Width::Avx2)) if avx2 => Width::Avx2,
+            Ok(Some(Width::Avx512)) if avx512 => Width::Avx512,
             _ => best,
         }
     })
+}
+
+/// Names an instruction set in the environment.
+const WISH: &str = "SPH_MPI_SIMD";
+
+/// An error where the environment names an instruction set that is none.
+pub fn check_wish() -> Result<()> {
+    wish(&std::env::var_os(WISH).unwrap_or_default().to_string_lossy()).map(drop)
+}
+
+fn wish(name: &str) -> Result<Option<Width>> {
+    match name {
+        "" => Ok(None),
+        "portable" => Ok(Some(Width::Portable)),
+        "avx2" => Ok(Some(Width::Avx2)),
+        "avx512" => Ok(Some(Width::Avx512)),
+        _ => Err(Error::new(format!("`{name}` is no instruction set")).at(WISH).allowed("portable, avx2, avx512")),
+    }
 }
 
 /// Eight lanes.
@@ -526,5 +546,12 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn a_wish_is_understood_or_refused() {
+        assert_eq!((wish("").unwrap(), wish("avx2").unwrap()), (None, Some(Width::Avx2)));
+        let error = wish("avx1024").unwrap_err().to_string();
+        assert!(error.contains("SPH_MPI_SIMD: `avx1024`") && error.contains("avx512"), "{error}");
     }
 }

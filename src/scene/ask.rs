@@ -72,6 +72,19 @@ impl RawProbe {
     }
 }
 
+/// Each probe has columns of its own in history.csv.
+pub(super) fn check_names(document: &Document, probes: &[Probe]) -> Result<()> {
+    for (number, probe) in probes.iter().enumerate() {
+        if probes[..number].iter().any(|other| other.name == probe.name) {
+            let what = format!("two probes are named \"{}\"", probe.name);
+            return Err(document
+                .error(&format!("probe.{number}.name"), what)
+                .allowed("a name for each: it names columns"));
+        }
+    }
+    Ok(())
+}
+
 /// The upper face of a target that an impact comes down on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Face {

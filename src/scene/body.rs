@@ -146,6 +146,8 @@ pub struct Reader<'a> {
 
 /// Bodies of up to this many lattice sites are counted when read; larger ones are close to their expected number.
 const COUNTED: u64 = 400_000;
+/// Distance from the origin in spacings at which a millionth of a spacing is lost.
+const FARTHEST: f64 = 1e10;
 /// The least number of particles of a projectile whose spacing follows the target's, unless the scene names another.
 const COARSEST_PROJECTILE: u64 = 100;
 
@@ -195,6 +197,10 @@ impl Reader<'_> {
         if !(mass > 0.0 && mass.is_finite()) {
             let what = format!("the mass of the body comes to {mass} kg");
             return Err(self.error("shape", what).allowed("sizes within reach of numbers"));
+        }
+        if let Some(far) = body.centre.iter().find(|x| x.abs() > FARTHEST * body.lattice.spacing) {
+            let what = format!("at {} numbers do not tell its particles apart", Length::new(*far));
+            return Err(self.error("position", what).allowed("places nearer to the origin, or larger particles"));
         }
         let sites = body.lattice_sites();
         if sites <= COUNTED && body.count(0..sites) == 0 {
@@ -373,7 +379,12 @@ impl Reader<'_> {
             (Some(pressure), None, EosTable::IdealGas(gas)) => {
                 self.positive("pressure", pressure)?;
                 let gamma = gas.gamma.0;
-                pressure.0 / ((gamma - 1.0) * rho)
+                let energy = pressure.0 / ((gamma - 1.0) * rho);
+                if !energy.is_finite() {
+                    let what = format!("a pressure of {pressure} at {density} takes more energy than numbers reach");
+                    return Err(self.error("pressure", what).allowed("sizes within reach of numbers"));
+                }
+                energy
             }
             (Some(_), None, _) => {
                 let what = "only an ideal gas starts from a pressure";

@@ -1,10 +1,9 @@
 //! Measured curves in files: `measured = { file = "curve.csv" }` is read into the scene when it is read, so that a scene stays one
 //! text that any rank can read again.
 
-use std::path::Path;
-
 use toml::{Table, Value};
 
+use super::input;
 use super::source::{Document, Source};
 use crate::error::{Error, Result};
 
@@ -21,9 +20,8 @@ pub fn read_into(source: &mut Source) -> Result<()> {
                 let key = format!("material.{name}.porosity.{law}.measured");
                 let wrong = |what: String| document.error(&format!("{key}.file"), what);
                 let file = file.as_str().ok_or_else(|| wrong("the file is not a text".into()))?;
-                let path = Path::new(&source.path).parent().unwrap_or(Path::new("")).join(file);
-                let text = std::fs::read_to_string(&path)
-                    .map_err(|e| wrong(format!("cannot read {}: {e}", path.display())))?;
+                let path = source.folder().join(file);
+                let text = input::read(&path).map_err(|e| wrong(format!("cannot read {}: {e}", path.display())))?;
                 let points =
                     points(&text).map_err(|(line, what)| Error::new(what).at(format!("{}:{line}", path.display())))?;
                 overrides.push(format!("{key}={}", Value::Table(points)));
@@ -85,5 +83,11 @@ mod tests {
         assert!(read.reread(&[]).is_ok());
         let message = super::super::read(&scene, &[]).unwrap_err().to_string();
         assert!(message.contains("s.toml:7") && message.contains("c.csv"), "{message}");
+        std::fs::write(&scene, text.replace("c.csv", "/dev/zero")).unwrap();
+        let message = super::super::read(&scene, &[]).unwrap_err().to_string();
+        assert!(
+            message.contains("s.toml:7") && message.contains("/dev/zero: it is neither a regular file"),
+            "{message}"
+        );
     }
 }

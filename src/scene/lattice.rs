@@ -160,6 +160,10 @@ pub struct Bounds {
 
 /// Rotation by `angle` (radians) about `axis` (any length but zero).
 pub fn rotation_about(axis: [f64; 3], angle: f64) -> Rotation {
+    // By a power of two, which changes no bit of the quotients below, to where squares neither overflow nor vanish.
+    let largest = axis.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let (_, exponent) = libm::frexp(largest);
+    let axis = axis.map(|x| libm::scalbn(x, -exponent));
     let length = (axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]).sqrt();
     let (s, c) = (libm::sin(0.5 * angle), libm::cos(0.5 * angle));
     rotation_of_quaternion([c, s * axis[0] / length, s * axis[1] / length, s * axis[2] / length])
@@ -274,6 +278,22 @@ mod tests {
     fn a_quarter_turn_about_z_takes_x_to_y() {
         let r = rotation_about([0.0, 0.0, 2.0], std::f64::consts::FRAC_PI_2);
         assert!((r[1][0] - 1.0).abs() < 1e-15 && r[0][0].abs() < 1e-15);
+    }
+
+    /// Only the direction of an axis counts.
+    #[test]
+    fn axes_of_any_length_turn_alike() {
+        for direction in [[1.0, 0.0, 0.0], [1.0, -2.0, 0.5]] {
+            let expected = rotation_about(direction, 1.0);
+            for exponent in [-1000, -660, -3, 0, 9, 500, 1000] {
+                assert_eq!(rotation_about(direction.map(|x| libm::scalbn(x, exponent)), 1.0), expected, "{exponent}");
+            }
+        }
+        for length in [1e200, 1e-200, 1e-308, f64::MAX] {
+            let (found, expected) = (rotation_about([length, 0.0, 0.0], 1.0), rotation_about([1.0, 0.0, 0.0], 1.0));
+            let pairs = found.as_flattened().iter().zip(expected.as_flattened());
+            assert!(pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) < 1e-15, "{length}: {found:?}");
+        }
     }
 
     #[test]

@@ -5,7 +5,7 @@
 use toml::{Table, Value};
 
 use super::keys::unknown;
-use super::source::Document;
+use super::source::{Document, rivals};
 use crate::error::Result;
 
 const LIBRARY: &str = include_str!("../material/library.toml");
@@ -103,11 +103,16 @@ fn fill_same_law(eos: &mut Value, stored: Option<&Value>) {
     }
 }
 
-/// Adds the keys that `table` leaves out; a table within is filled only where it is named.
+/// Adds the keys that `table` leaves out, but for those that a key of its own stands in place of, and for what it sets to
+/// `false`; a table within is filled only where it is named.
 fn fill(table: &mut Table, from: &Table) {
     for (key, value) in from.iter().filter(|(key, _)| *key != SOURCE) {
         let Value::Table(inner_from) = value else {
-            table.entry(key.as_str()).or_insert_with(|| value.clone());
+            if !value.is_bool() && table.get(key) == Some(&Value::Boolean(false)) {
+                table.remove(key);
+            } else if rivals(key).all(|rival| !table.contains_key(rival)) {
+                table.entry(key.as_str()).or_insert_with(|| value.clone());
+            }
             continue;
         };
         match table.get_mut(key) {
@@ -204,6 +209,32 @@ mod tests {
         assert_eq!(weak["fracture"]["model"].as_str(), Some("grady_kipp"));
         let gas = completed(&format!("{BODY}[material.basalt]\neos = {{ ideal_gas = {{ gamma = 1.4 }} }}\n")).unwrap();
         assert!(gas["basalt"]["eos"].get("tillotson").is_none());
+    }
+
+    /// A key that says the same in another way takes the place of the library's.
+    #[test]
+    fn choices_replace_those_of_the_library() {
+        let law = |keys: &str| {
+            let text = format!("{BODY}[material.basalt.porosity]\nepsilon_alpha = {{ {keys} }}\n");
+            completed(&text).unwrap()["basalt"]["porosity"]["epsilon_alpha"].as_table().unwrap().clone()
+        };
+        assert!(law("kappa = 0.8").contains_key("P_e"));
+        let own = law("elastic_strain = 0.01");
+        assert!(!own.contains_key("P_e") && own["kappa"].as_float() == Some(1.0), "{own}");
+        assert!(!law("P_e = false").contains_key("P_e"));
+        // Of what is set over a scene, too, whatever the scene says.
+        let text =
+            format!("{BODY}[material.basalt.strength.collins]\n[material.basalt.porosity.epsilon_alpha]\nP_e = 5\n");
+        let set = [
+            "material.basalt.porosity.epsilon_alpha.elastic_strain=0",
+            "material.basalt.strength.drucker_prager.friction=0.4",
+        ];
+        let source = Source { path: "s.toml".into(), text, overrides: set.map(String::from).to_vec() };
+        let mut document = Document::parse(&source).unwrap();
+        complete(&mut document).unwrap();
+        let basalt = &document.tree["material"]["basalt"];
+        assert!(basalt["strength"].get("collins").is_none() && basalt["strength"].get("drucker_prager").is_some());
+        assert!(basalt["porosity"]["epsilon_alpha"].get("P_e").is_none());
     }
 
     #[test]

@@ -11,6 +11,7 @@ pub mod gravity;
 pub mod hydrostatic;
 pub mod identity;
 pub mod impact;
+pub mod input;
 pub mod keys;
 pub mod late_stage;
 pub mod lattice;
@@ -25,6 +26,7 @@ pub mod source;
 pub mod start;
 #[cfg(test)]
 mod tests;
+mod unlikely;
 
 use std::path::Path;
 
@@ -80,10 +82,11 @@ pub struct Scene {
 
 /// Reads a scene from a file. `overrides` are `key=value`, as after `--set`.
 pub fn read(path: &Path, overrides: &[String]) -> Result<Scene> {
-    let place = path.display().to_string();
-    let text =
-        std::fs::read_to_string(path).map_err(|e| Error::new(format!("cannot read the scene: {e}")).at(&place))?;
-    let mut source = Source { path: place, text, overrides: overrides.to_vec() };
+    of(Source::open(path, overrides)?)
+}
+
+/// The scene of a text, and of the files that it names.
+pub fn of(mut source: Source) -> Result<Scene> {
     curves::read_into(&mut source)?;
     Scene::from_source(source)
 }
@@ -111,11 +114,18 @@ impl Scene {
         &self.source.path
     }
 
+    /// An error at a key: `body.0.flow.mode`.
+    pub fn error(&self, path: &str, what: impl Into<String>) -> Error {
+        let place = Document::parse(&self.source).map_or(self.path().to_string(), |document| document.place(path));
+        Error::new(what).at(place).bad_input()
+    }
+
     fn from_source(source: Source) -> Result<Self> {
         let mut document = Document::parse(&source)?;
         materials::complete(&mut document)?;
         let mut raw: RawScene = keys::deserialize(&document)?;
         let mut scene = validate(&document, &mut raw)?;
+        check_numbers(&document, &scene)?;
         scene.understood =
             print(&raw).map_err(|e| Error::new(format!("the scene cannot be printed: {e}")).at(&source.path))?;
         scene.source = source.clone();
@@ -131,6 +141,25 @@ fn print(raw: &RawScene) -> std::result::Result<String, toml::ser::Error> {
         material.entry("viscosity").or_insert(Value::Boolean(false));
     }
     toml::to_string(&tree)
+}
+
+/// Numbers that follow from others may be beyond the reach of numbers, each of which is within. Ranks get a scene as JSON, which
+/// has no such numbers: one without a check of its own is found where it does not come back.
+fn check_numbers(document: &Document, scene: &Scene) -> Result<()> {
+    let text =
+        serde_json::to_string(scene).map_err(|e| document.error("", format!("the scene cannot be sent: {e}")))?;
+    let path = match serde_path_to_error::deserialize::<_, Scene>(&mut serde_json::Deserializer::from_str(&text)) {
+        Ok(same) if same == *scene => return Ok(()),
+        Ok(_) => String::new(),
+        Err(e) => {
+            let path = e.path().to_string().replace('[', ".").replace(']', "");
+            // From fields of a scene to keys of its file.
+            let tables = [("bodies", "body"), ("layers", "layer"), ("probes", "probe")];
+            let table = tables.iter().find_map(|(field, key)| Some(format!("{key}{}", path.strip_prefix(field)?)));
+            if path.starts_with("periods") { "domain.periodic".into() } else { table.unwrap_or(path) }
+        }
+    };
+    Err(document.error(&path, "a number comes to nothing finite").allowed("sizes within reach of numbers"))
 }
 
 /// Support of the kernels over the smoothing length.
@@ -178,6 +207,7 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
     let outcome = raw.outcome.map(|asked| asked.validate(document, impact.as_ref(), &bodies)).transpose()?;
     let probes = raw.probe.iter().enumerate().map(|(number, probe)| probe.validate(document, number, &bodies));
     let probes = probes.collect::<Result<Vec<_>>>()?;
+    ask::check_names(document, &probes)?;
     let threshold = match &raw.threshold {
         None => None,
         Some(threshold) => Some(threshold.validate(document, &varied(document, impact.as_ref(), &bodies)?)?),
@@ -251,7 +281,10 @@ fn check_names(document: &Document, raw: &RawScene) -> Result<()> {
     for (number, body) in raw.body.iter().enumerate() {
         let path = format!("body.{number}.name");
         if TABLES.contains(&body.name.as_str()) || body.name.contains(['.', '=']) {
-            return Err(document.error(&path, format!("\"{}\" cannot name a body", body.name)));
+            let what = format!("\"{}\" cannot name a body", body.name);
+            let allowed =
+                "any name without . and = that is no table or key of a scene: --set NAME.KEY=VALUE means the body";
+            return Err(document.error(&path, what).allowed(allowed));
         }
         if raw.body[..number].iter().any(|other| other.name == body.name) {
             return Err(document.error(&path, format!("two bodies are named \"{}\"", body.name)));
@@ -368,17 +401,15 @@ fn check_overlaps(document: &Document, bodies: &[Body]) -> Result<()> {
     Ok(())
 }
 
-/// The keys that a threshold search may vary: the projectile's lengths.
+/// The keys that a threshold search may vary.
 fn varied(document: &Document, impact: Option<&Impact>, bodies: &[Body]) -> Result<Vec<String>> {
     let Some(impact) = impact else {
         return Err(document.error("threshold", "a threshold search needs an [impact]"));
     };
     let projectile = &bodies[impact.projectile];
-    let keys: &[&str] = match projectile.shape {
-        Shape::Sphere { .. } | Shape::HalfSphere { .. } => &["radius"],
-        Shape::Cylinder { .. } => &["radius", "height"],
-        Shape::Heap { .. } => &["radius", "top", "height"],
-        Shape::Box { .. } => &[],
-    };
-    Ok(keys.iter().map(|key| format!("{}.{key}", projectile.name)).collect())
+    if !matches!(projectile.shape, Shape::Sphere { .. }) {
+        let what = format!("a search varies the radius of a sphere, and body \"{}\" is none", projectile.name);
+        return Err(document.error("threshold", what).allowed("a projectile with shape sphere"));
+    }
+    Ok(vec![format!("{}.radius", projectile.name)])
 }

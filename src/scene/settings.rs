@@ -182,17 +182,37 @@ impl RawOutput {
                 _ => String::new(),
             };
             let fits = |text: &str, most| (1..=most).contains(&text.len()) && !text.contains('\0');
-            if fits(key, LONGEST_HINT_KEY) && fits(&text, LONGEST_HINT) {
-                return Ok((key.clone(), text));
-            }
-            let what = format!("{value} is no hint for MPI");
-            let allowed = format!("a text of 1 to {LONGEST_HINT} characters, under a key of 1 to {LONGEST_HINT_KEY}");
+            let counts = |text: &str| text.parse().is_ok_and(|count: u32| (1..=MOST_COUNTED).contains(&count));
+            let (what, allowed) = match fits(key, LONGEST_HINT_KEY) && fits(&text, LONGEST_HINT) {
+                true if COUNTS.contains(&key.as_str()) && !counts(&text) => {
+                    (format!("{value} is no number of anything"), format!("1 to {MOST_COUNTED}"))
+                }
+                true => return Ok((key.clone(), text)),
+                false => {
+                    let allowed =
+                        format!("a text of 1 to {LONGEST_HINT} characters, under a key of 1 to {LONGEST_HINT_KEY}");
+                    (format!("{value} is no hint for MPI"), allowed)
+                }
+            };
             Err(document.error(&format!("output.mpi_io_hints.{key}"), what).allowed(allowed))
         };
         self.mpi_io_hints.iter().map(hint).collect()
     }
 }
 
+/// Hints that count ranks, servers or bytes. An MPI believes what it is told, and asks for the memory.
+const COUNTS: [&str; 9] = [
+    "cb_nodes",
+    "cb_buffer_size",
+    "cb_block_size",
+    "striping_factor",
+    "striping_unit",
+    "num_io_nodes",
+    "nb_proc",
+    "ind_rd_buffer_size",
+    "ind_wr_buffer_size",
+];
+const MOST_COUNTED: u32 = i32::MAX as u32;
 /// What OpenMPI takes, which takes the least.
 const LONGEST_HINT_KEY: usize = 35;
 const LONGEST_HINT: usize = 255;

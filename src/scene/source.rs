@@ -1,9 +1,12 @@
 //! A scene's text, what the command line sets over it, and where in both a key stands, so that an error can say it.
 
+use std::path::Path;
+
 use serde::{Deserialize, Serialize};
 use toml::de::{DeTable, DeValue};
 use toml::{Table, Value};
 
+use super::input;
 use crate::error::{Error, Result};
 
 /// Text and overrides a scene was read from.
@@ -16,6 +19,22 @@ pub struct Source {
     pub overrides: Vec<String>,
 }
 
+impl Source {
+    /// Reads the file; `overrides` are `key=value`, as after `--set`.
+    pub fn open(path: &Path, overrides: &[String]) -> Result<Self> {
+        let place = path.display().to_string();
+        let text = input::read(path).map_err(|what| Error::new(format!("cannot read the scene: {what}")).at(&place))?;
+        Ok(Self { path: place, text, overrides: overrides.to_vec() })
+    }
+
+    /// Where paths that it names start: its own folder; of what comes through a pipe, the one the program was started in.
+    pub fn folder(&self) -> &Path {
+        let path = Path::new(&self.path);
+        let own = !input::is_passed_on(path);
+        path.parent().filter(|_| own).unwrap_or(Path::new(""))
+    }
+}
+
 /// The TOML tree of a source with its overrides applied. Keys are named by dotted paths; bodies by their number
 /// (`body.0.shape.sphere.radius`), which messages replace by their name.
 pub struct Document<'a> {
@@ -25,26 +44,36 @@ pub struct Document<'a> {
     set: Vec<(String, &'a str)>,
 }
 
-/// Keys that say the same thing in another way: where one is set over a scene, the later word counts.
-const RIVALS: [(&str, &[&str]); 17] = [
-    ("particles", &["spacing"]),
-    ("spacing", &["particles"]),
-    ("eta", &["neighbours"]),
-    ("neighbours", &["eta"]),
-    ("snapshots", &["every"]),
-    ("every", &["snapshots"]),
-    ("seed", &["axis", "angle"]),
-    ("axis", &["seed"]),
-    ("angle", &["seed"]),
-    ("pressure", &["internal_energy"]),
-    ("internal_energy", &["pressure"]),
-    ("p_alpha", &["rho_alpha", "epsilon_alpha"]),
-    ("rho_alpha", &["p_alpha", "epsilon_alpha"]),
-    ("epsilon_alpha", &["p_alpha", "rho_alpha"]),
-    ("quadratic", &["two_slope", "measured"]),
-    ("two_slope", &["quadratic", "measured"]),
-    ("measured", &["quadratic", "two_slope"]),
+/// Keys of one table that say the same thing in another way: where one is set over a scene, or named by a scene over the
+/// library, the later word counts.
+const RIVALS: [&[&str]; 16] = [
+    &["particles", "spacing"],
+    &["eta", "neighbours"],
+    &["snapshots", "every"],
+    &["seed", "axis"],
+    &["seed", "angle"],
+    &["pressure", "internal_energy"],
+    &["sound_speed", "bulk_modulus"],
+    &["tillotson", "simplified_tillotson", "ideal_gas"],
+    &["p_alpha", "rho_alpha", "epsilon_alpha"],
+    &["quadratic", "two_slope", "measured"],
+    &["P_e", "elastic_strain"],
+    &["collins", "drucker_prager"],
+    &["sphere", "disc", "box", "cylinder", "heap", "half_sphere", "half_disc"],
+    &["radial", "stretch", "wave", "mode"],
+    &["velocity", "along", "damping"],
+    &["value", "against"],
 ];
+
+/// The keys that `key` excludes beside it.
+pub(super) fn rivals(key: &str) -> impl Iterator<Item = &'static str> {
+    RIVALS
+        .iter()
+        .filter(move |group| group.contains(&key))
+        .flat_map(|group| *group)
+        .copied()
+        .filter(move |other| *other != key)
+}
 
 impl<'a> Document<'a> {
     pub fn parse(source: &'a Source) -> Result<Self> {
@@ -147,9 +176,11 @@ impl<'a> Document<'a> {
         let (last, parents) = steps.split_last().expect("split yields one part or more");
         let off = value.as_bool() == Some(false);
         for (depth, key) in steps.iter().enumerate().filter(|_| !off) {
-            let rivals = RIVALS.iter().find(|(rival, _)| rival == key).map_or(&[][..], |(_, rivals)| *rivals);
-            if let Some(table) = descend(&mut self.tree, &steps[..depth]).filter(|_| !rivals.is_empty()) {
-                rivals.iter().for_each(|rival| drop(table.remove(*rival)));
+            if rivals(key).next().is_none() {
+                continue;
+            }
+            if let Some(table) = descend(&mut self.tree, &steps[..depth]) {
+                rivals(key).for_each(|rival| drop(table.remove(rival)));
             }
         }
         let table = descend(&mut self.tree, parents).ok_or_else(|| {
@@ -234,6 +265,9 @@ mod tests {
         assert_eq!(body["shape"]["sphere"]["radius"].as_str(), Some("12 km"));
         assert_eq!(body["particles"].as_integer(), Some(500));
         assert!(body.get("spacing").is_none());
+        // A choice over another one: the later word counts.
+        let other = Source { overrides: vec!["target.shape.box.size=[1, 1, 1]".into()], ..source.clone() };
+        assert!(Document::parse(&other).unwrap().tree["body"][0]["shape"].get("sphere").is_none());
         assert!(tree["material"]["basalt"].get("fracture").is_none());
         assert_eq!(tree["numerics"]["artificial_stress"]["factor"].as_float(), Some(0.3));
         assert_eq!(tree["run"]["until"].as_integer(), Some(5));

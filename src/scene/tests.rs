@@ -329,8 +329,84 @@ fn hints_are_texts_and_no_part_of_the_question() {
     assert_eq!(hints, [("cb_nodes", "4"), ("romio_cb_write", "enable")]);
     assert!(hinted.to_toml().contains("romio_cb_write") && hinted.to_toml() != plain.to_toml());
     assert_eq!(hinted.differs_from(&plain.to_toml()), None);
+    for bad in ["cb_nodes=-99999", "cb_nodes=0", "striping_factor=many", "cb_buffer_size=1e9"] {
+        let error = parse(BALL, &[&format!("output.mpi_io_hints.{bad}")]).unwrap_err().to_string();
+        assert!(error.contains("mpi_io_hints") && error.contains("is no"), "{error}");
+    }
     for bad in ["cb_nodes=\"\"", "cb_nodes=0.5", "a_key_longer_than_openmpi_takes_it_at_all=1"] {
         let error = parse(BALL, &[&format!("output.mpi_io_hints.{bad}")]).unwrap_err().to_string();
         assert!(error.contains("is no hint for MPI") && error.contains("1 to 35"), "{error}");
     }
+}
+
+/// Each number is one, and what follows from it is none; or nothing can be told apart where it puts a body.
+#[test]
+fn numbers_beyond_reach_are_refused_at_their_key() {
+    let gas = "spacing = 0.2\ndensity = 1e-300\npressure = 1e99";
+    let thin = "[material.basalt]\neos = { ideal_gas = { gamma = 1.00000000000001 } }\n[run]\nuntil = 1\n";
+    for (from, to, expected) in [
+        (
+            "spacing = 0.2",
+            "spacing = 0.2\nvelocity = [1e200, 0, 0]",
+            "s.toml:6: body ball, velocity.0: 1e200 is beyond the reach of numbers",
+        ),
+        ("spacing = 0.2", "spacing = 0.2\npressure = 1e308", "s.toml:6: body ball, pressure: 1e308 is beyond"),
+        (
+            "spacing = 0.2",
+            "spacing = 0.2\norientation = { axis = [1e200, 0, 0], angle = 1 }",
+            "s.toml:6: body ball, orientation.axis",
+        ),
+        (
+            "spacing = 0.2",
+            "spacing = 0.2\nposition = [0, 1e12, 0]",
+            "s.toml:6: body ball, position: at 1e12 m numbers do not tell",
+        ),
+        ("spacing = 0.2", "spacing = 0.2\nspin = [nan, 0, 0]", "s.toml:6: body ball, spin"),
+    ] {
+        let text = complaint(from, to);
+        assert!(text.starts_with(expected) && !text.contains('\n'), "{to}: {text}");
+    }
+    let text = BALL.replace("spacing = 0.2", gas).replace("[run]\nuntil = \"1 s\"\n", thin);
+    let text = parse(&text, &[]).unwrap_err().to_string();
+    assert!(
+        text.starts_with("s.toml:7: body ball, pressure: a pressure of 1e99 Pa at 1e-300 kg/m^3 takes more"),
+        "{text}"
+    );
+    // What no check of its own finds.
+    let source = Source { path: "s.toml".into(), text: BALL.into(), overrides: Vec::new() };
+    let document = Document::parse(&source).unwrap();
+    let good = parse(BALL, &[]).unwrap();
+    assert!(check_numbers(&document, &good).is_ok());
+    let mut bad = good.clone();
+    bad.bodies[0].internal_energy = f64::INFINITY;
+    let text = check_numbers(&document, &bad).unwrap_err().to_string();
+    assert!(text.starts_with("s.toml:1: body ball, internal_energy: a number comes to nothing finite"), "{text}");
+    let mut bad = good.clone();
+    bad.periods.length[0] = f64::INFINITY;
+    assert!(check_numbers(&document, &bad).unwrap_err().to_string().contains("domain.periodic"));
+    let mut bad = good;
+    bad.run.max_time = Some(f64::NAN);
+    assert!(check_numbers(&document, &bad).is_err(), "null is no number left out");
+}
+
+#[test]
+fn probes_have_names_of_their_own() {
+    let probes = |second: &str| format!("{BALL}[[probe]]\nname = \"x\"\n[[probe]]\nname = \"{second}\"\n");
+    assert!(parse(&probes("y"), &[]).is_ok());
+    let text = parse(&probes("x"), &[]).unwrap_err().to_string();
+    assert!(text.starts_with("s.toml:11: probe.1.name: two probes are named \"x\""), "{text}");
+    let text = complaint("\"ball\"", "\"probe\"");
+    assert!(
+        text.contains("\"probe\" cannot name a body (allowed: any name without . and = that is no table"),
+        "{text}"
+    );
+}
+
+/// A search changes the radius of a sphere; any other projectile would be refused by the search itself.
+#[test]
+fn only_spheres_are_searched() {
+    let ground = "target.shape={ box = { size = [\"10 km\", \"10 km\", \"10 km\"] } }";
+    let rod = "projectile.shape={ cylinder = { radius = \"1 km\", height = \"1 km\" } }";
+    let text = parse(IMPACT, &[ground, rod, "threshold.vary=projectile.radius"]).unwrap_err().to_string();
+    assert!(text.contains("varies the radius of a sphere, and body \"projectile\" is none"), "{text}");
 }

@@ -10,6 +10,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use crate::error::{Error, Result};
 use crate::material::{Core, Local, MaterialEffect, Setup};
 use crate::output::moment::{self, Moment};
 use crate::particles::{Integrated, Registry};
@@ -50,10 +51,27 @@ pub enum Asks {
     Stop,
 }
 
+const VARIABLE: &str = "SPH_MPI_FAULT";
+
+fn asked() -> String {
+    std::env::var_os(VARIABLE).unwrap_or_default().to_string_lossy().into_owned()
+}
+
 impl Fault {
     /// The fault that the environment asks for, as this rank sees it.
     pub fn of_rank(rank: usize) -> Self {
-        Self::parse(&std::env::var("SPH_MPI_FAULT").unwrap_or_default(), rank).unwrap_or_default()
+        Self::parse(&asked(), rank).unwrap_or_default()
+    }
+
+    /// An error where the environment asks for something else than a fault.
+    pub fn check() -> Result<()> {
+        let text = asked();
+        if text.is_empty() || Self::parse(&text, 0).is_some() {
+            return Ok(());
+        }
+        let allowed = "KIND:RANK:STEP, with one of panic, pool, kill, stop, nan, full, full_in_checkpoint, kill_in_write, \
+                       term_in_write, kill_before_rename";
+        Err(Error::new(format!("`{text}` is no fault")).at(VARIABLE).allowed(allowed))
     }
 
     fn parse(text: &str, rank: usize) -> Option<Self> {
@@ -72,6 +90,9 @@ impl Fault {
             _ => return None,
         };
         let (on, step) = (parts.next()?.parse::<usize>().ok()?, parts.next()?.parse().ok()?);
+        if parts.next().is_some() {
+            return None;
+        }
         Some(Self { kind: Some(kind), mine: on == rank, step, ..Self::default() })
     }
 

@@ -108,12 +108,15 @@ impl Footprint {
         match all.chunks_exact(2).map(fits).find(|(fits, ..)| !fits) {
             None => Ok(()),
             Some((_, ranks, available)) => {
-                let gigabytes = |bytes: f64| 1e-9 * bytes;
-                let need = gigabytes(ranks as f64 * self.per_rank());
+                let size = |bytes: f64| match bytes {
+                    b if b >= 1e12 => format!("{:.1} TB", 1e-12 * b),
+                    b => format!("{:.1} GB", 1e-9 * b),
+                };
                 let what = format!(
-                    "{} particles need about {need:.1} GB on a machine with {:.1} GB of memory available ({ranks} ranks there)",
+                    "{} particles need about {} on a machine with {} of memory available ({ranks} ranks there)",
                     self.particles,
-                    gigabytes(available as f64)
+                    size(ranks as f64 * self.per_rank()),
+                    size(available as f64)
                 );
                 let allowed = "fewer particles, or more machines; --check shows what takes the memory";
                 Err(Error::new(what).allowed(allowed).bad_input())

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use console::Term;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use crate::error::Result;
+use crate::error::{Result, plain};
 use crate::output::publish::cannot;
 
 static LOG_FILE: Mutex<Option<File>> = Mutex::new(None);
@@ -23,16 +23,18 @@ struct Tee {
 
 impl Write for Tee {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        // One line, whatever names it tells.
+        let text = plain(String::from_utf8_lossy(bytes).trim_end()).replace('\n', "\\n") + "\n";
         let bar = BAR.lock().unwrap().clone();
         match bar {
-            Some(bar) => bar.println(String::from_utf8_lossy(bytes).trim_end()),
-            None => std::io::stderr().write_all(bytes)?,
+            Some(bar) => bar.println(text.trim_end()),
+            None => std::io::stderr().write_all(text.as_bytes())?,
         }
         if self.rank == 0
             && let Some(file) = LOG_FILE.lock().unwrap().as_mut()
         {
             // A full disk must not stop the log on the terminal; the run's own files report it.
-            let _ = file.write_all(bytes);
+            let _ = file.write_all(text.as_bytes());
         }
         Ok(bytes.len())
     }
@@ -101,7 +103,7 @@ impl Progress {
             let bar = ProgressBar::with_draw_target(Some(1000), target);
             let style = ProgressStyle::with_template("{prefix} {bar:24} {percent:>3}% {elapsed} {wide_msg}");
             bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-            bar.set_prefix(title.to_string());
+            bar.set_prefix(plain(title).into_owned());
             bar
         });
         *BAR.lock().unwrap() = bar.clone();
@@ -112,7 +114,7 @@ impl Progress {
     pub fn show(&mut self, done: f64, message: impl FnOnce() -> String) {
         if let Some(bar) = &self.bar {
             bar.set_position((1000.0 * done.clamp(0.0, 1.0)) as u64);
-            bar.set_message(message());
+            bar.set_message(plain(&message()).into_owned());
         } else if self.speaks && self.spoken.elapsed() > Self::PAUSE {
             self.spoken = Instant::now();
             tracing::info!("{:.0} % {}", 100.0 * done.clamp(0.0, 1.0), message());

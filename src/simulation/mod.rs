@@ -14,6 +14,7 @@ pub mod modes;
 mod nbody;
 pub mod probes;
 pub mod report;
+mod require;
 pub mod resources;
 mod restart;
 pub mod run;
@@ -21,4 +22,5 @@ pub mod setup;
 pub mod signals;
 pub mod state;
 
+pub use require::require;
 pub use run::{Ended, Options, RunReport, run};

@@ -360,3 +360,76 @@ pub fn print(summary: &Summary, crater: Option<&Crater>, directory: &Path) {
     }
     tracing::info!("written to {}", directory.display());
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::particles::ParticleId;
+    use crate::simulation::state::Conservation;
+    use crate::step::Counters;
+
+    /// A row by the names of its columns.
+    fn row(dimension: usize, prescribed: bool) -> Vec<(String, Cell)> {
+        let text = format!(
+            "dimension = {dimension}\n[[body]]\nname = \"b\"\nshape = {{ sphere = {{ radius = 1 }} }}\nmaterial = \"basalt\"\n\
+             particles = 9\n[gravity]\nuniform = {:?}\n[run]\nuntil = 1\n",
+            vec![1.0; dimension]
+        );
+        let scene = Scene::parse("s.toml", &text, &[]).unwrap();
+        let state = serde_json::json!({
+            "time": 1.5, "dt": 0.25, "counters": Counters { steps: 7, ..Counters::default() },
+            "conservation": Conservation::default(), "snapshots": 0, "settled": null, "outcome": null,
+            "outcome_time": 0.0, "spent": Spent::default(),
+        });
+        let state: RunState = serde_json::from_value(state).expect("a state as checkpoints have it");
+        let totals = Totals {
+            kinetic: 11.0,
+            internal: 12.0,
+            potential: Some(-3.0),
+            momentum: Vec3::new(21.0, 22.0, 23.0),
+            angular_momentum: Vec3::new(31.0, 32.0, 33.0),
+            work: 41.0,
+            impulse: Vec3::new(51.0, 52.0, 53.0),
+            ..Totals::default()
+        };
+        let limit = Limit { id: ParticleId::new(2, 99), ..Limit::NONE };
+        let cells = history_row(&state, &totals, (&limit, "sound"), (prescribed, dimension == 2));
+        let names = history_columns(&[], prescribed, &scene);
+        assert_eq!(names.len(), cells.len(), "{names:?}");
+        names.into_iter().map(|(name, _)| name).zip(cells).collect()
+    }
+
+    #[test]
+    fn every_column_of_the_history_has_its_number() {
+        let expected = [
+            ("step", Cell::Integer(7)),
+            ("time", Cell::Real(1.5)),
+            ("dt", Cell::Real(0.25)),
+            ("limited_by", Cell::Text("sound".into())),
+            ("limiting_body", Cell::Integer(2)),
+            ("limiting_site", Cell::Integer(99)),
+            ("kinetic_energy", Cell::Real(11.0)),
+            ("internal_energy", Cell::Real(12.0)),
+            ("total_energy", Cell::Real(20.0)),
+            ("momentum_x", Cell::Real(21.0)),
+            ("momentum_y", Cell::Real(22.0)),
+            ("momentum_z", Cell::Real(23.0)),
+            ("angular_momentum_x", Cell::Real(31.0)),
+            ("angular_momentum_y", Cell::Real(32.0)),
+            ("angular_momentum_z", Cell::Real(33.0)),
+            ("potential_energy", Cell::Real(-3.0)),
+            ("boundary_work", Cell::Real(41.0)),
+            ("boundary_impulse_x", Cell::Real(51.0)),
+            ("boundary_impulse_y", Cell::Real(52.0)),
+            ("boundary_impulse_z", Cell::Real(53.0)),
+        ];
+        for (dimension, prescribed, columns) in [(3, true, 20), (3, false, 16), (2, true, 16), (2, false, 13)] {
+            let row = row(dimension, prescribed);
+            assert_eq!(row.len(), columns, "{row:?}");
+            for (name, cell) in row {
+                let known = expected.iter().find(|(known, _)| *known == name);
+                assert_eq!(known.map(|(_, cell)| cell), Some(&cell), "{name} in {dimension}D");
+            }
+        }
+    }
+}

@@ -109,9 +109,18 @@ impl<'a, const D: usize> Run<'a, D> {
         if let Some(choice) = &options.accuracy {
             tracing::info!("{choice}");
         }
+        if comm.is_root() {
+            scene.warnings().iter().for_each(|warning| tracing::warn!("{warning}"));
+        }
         let comparison = Comparison::new(scene)?;
+        let fit =
+            |plan: &setup::Plan| Footprint::new(scene, plan, comm.size()).require(comm).map_err(|e| e.at(scene.path()));
+        // What does not fit by far is not worth being counted.
+        if let Some(expected) = setup::expected_particles(scene) {
+            fit(&setup::plan(scene, expected))?;
+        }
         let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
-        Footprint::new(scene, &plan, comm.size()).require(comm).map_err(|e| e.at(scene.path()))?;
+        fit(&plan)?;
         let fault = Fault::of_rank(comm.rank());
         let saved = if options.resume {
             checkpoint::read_newest(&options.directory, &plan.registry, comm, &|before| scene.differs_from(before))?

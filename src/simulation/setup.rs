@@ -35,6 +35,20 @@ pub struct Plan {
     viscosity: Vec<(f64, f64)>,
 }
 
+/// Particles from which on what a body's volume says is as good as a count.
+const MANY: f64 = 1e7;
+
+/// The same without a look at any lattice site, where there are many particles; none where they are few. Rows that end at a surface
+/// make a difference of less than a spacing over the body's size.
+pub fn expected_particles(scene: &Scene) -> Option<Vec<BodyConstants>> {
+    let expected = |body: &Body| body.expected_particles().round().max(1.0);
+    if scene.bodies.iter().map(expected).sum::<f64>() < MANY {
+        return None;
+    }
+    let constants = scene.bodies.iter().map(|body| body.constants(expected(body) as u64, scene.numerics.eta));
+    Some(constants.collect())
+}
+
 /// Counts the particles of each body, each rank its share of the lattice sites. Collective.
 pub fn count_particles(scene: &Scene, comm: &Comm) -> Result<Vec<BodyConstants>> {
     let mine = scene.bodies.iter().map(|body| body.count(share(body.lattice_sites(), comm)) as i64);

@@ -142,3 +142,68 @@ pub struct Spent {
     pub updates: u64,
     pub migrated: u64,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn start() -> Totals {
+        Totals {
+            mass: 2.0,
+            kinetic: 10.0,
+            internal: 3.0,
+            momentum: Vec3::new(4.0, 0.0, 0.0),
+            angular_momentum: Vec3::new(0.0, 0.0, 5.0),
+            momentum_scale: 8.0,
+            angular_scale: 20.0,
+            ..Totals::default()
+        }
+    }
+
+    /// The largest deviations count, wherever a run has come back to.
+    #[test]
+    fn drifts_are_the_largest_deviations() {
+        let mut kept = Conservation::new(&start());
+        kept.note(&start(), 1.0);
+        assert_eq!((kept.energy_drift(), kept.momentum, kept.angular_momentum), (0.0, 0.0, 0.0));
+        let off = Totals {
+            internal: 3.3,
+            momentum: Vec3::new(4.0, 0.4, -0.3),
+            angular_momentum: Vec3::new(0.0, 2.0, 5.0),
+            ..start()
+        };
+        kept.note(&off, 2.0);
+        kept.note(&Totals { internal: 2.9, ..start() }, 3.0);
+        // 10 J less those of the centre of mass, 4^2 / (2 x 2).
+        assert!((kept.energy_drift() - 0.3 / 6.0).abs() < 1e-12, "{}", kept.energy_drift());
+        assert!((kept.momentum - 0.5 / 8.0).abs() < 1e-15 && (kept.angular_momentum - 2.0 / 20.0).abs() < 1e-15);
+        // Lost energy counts as won energy does.
+        kept.note(&Totals { kinetic: 9.0, ..start() }, 4.0);
+        assert!((kept.energy_drift() - 1.0 / 6.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_walls_and_gravity_do_is_no_drift() {
+        let mut kept = Conservation::new(&start());
+        let pushed = Totals {
+            kinetic: 17.0,
+            work: 7.0,
+            momentum: Vec3::new(4.0, 1.0, -6.0),
+            impulse: Vec3::new(0.0, 1.0, 0.0),
+            weight: Vec3::new(0.0, 0.0, -2.0),
+            ..start()
+        };
+        kept.note(&pushed, 3.0);
+        assert_eq!((kept.energy_drift(), kept.momentum), (0.0, 0.0));
+    }
+
+    /// Of what starts at rest, the largest energy there is.
+    #[test]
+    fn matter_at_rest_has_a_scale_too() {
+        let rest = Totals { kinetic: 0.0, momentum: Vec3::zeros(), internal: 0.0, ..start() };
+        let mut kept = Conservation::new(&rest);
+        kept.note(&Totals { kinetic: 4.0, internal: -3.0, ..rest.clone() }, 1.0);
+        kept.note(&Totals { kinetic: 1.0, internal: 1.0, potential: Some(-2.0), ..rest }, 2.0);
+        assert_eq!((kept.energy, kept.energy_drift()), (1.0, 0.25));
+    }
+}

@@ -11,6 +11,7 @@ use super::settings::{Change, Settings};
 use crate::error::{Error, Result};
 use crate::scene::Scene;
 use crate::scene::source::{Document, Source};
+use crate::simulation::require;
 
 /// Texts of a study and of its scene. Reading them is for one rank; what comes of them is the same on all.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -63,19 +64,18 @@ impl Point {
     }
 }
 
-/// Whether a file holds a study rather than a scene.
-pub fn is_study(path: &Path) -> bool {
-    let table = std::fs::read_to_string(path).ok().and_then(|text| text.parse::<Table>().ok());
-    table.is_some_and(|table| table.contains_key("study"))
+/// Whether a text is that of a study rather than of a scene.
+pub fn is_study(source: &Source) -> bool {
+    source.text.parse::<Table>().is_ok_and(|table| table.contains_key("study"))
 }
 
-/// Reads both files.
-pub fn read(path: &Path, overrides: &[String]) -> Result<Sources> {
-    let study = source(path, overrides)?;
+/// Reads the file of the study's scene, too.
+pub fn read(study: Source) -> Result<Sources> {
     let document = Document::parse(&study)?;
     let settings = Settings::read(&document)?;
-    let scene = without_detours(&path.parent().unwrap_or(Path::new("")).join(&settings.scene));
-    let scene = source(&scene, &[]).map_err(|e| {
+    require_few(&document, &settings)?;
+    let scene = without_detours(&study.folder().join(&settings.scene));
+    let scene = Source::open(&scene, &[]).map_err(|e| {
         let what = format!("{}: {}", e.place, e.what);
         document.error("study.scene", what).allowed("the path of a scene, from the folder of the study's file")
     })?;
@@ -97,11 +97,14 @@ fn without_detours(path: &Path) -> PathBuf {
     plain
 }
 
-fn source(path: &Path, overrides: &[String]) -> Result<Source> {
-    let place = path.display().to_string();
-    let text =
-        std::fs::read_to_string(path).map_err(|e| Error::new(format!("cannot read the scene: {e}")).at(&place))?;
-    Ok(Source { path: place, text, overrides: overrides.to_vec() })
+/// Refuses more runs than anybody means to make, before any of them is looked at.
+fn require_few(document: &Document, settings: &Settings) -> Result<()> {
+    let runs = settings.runs();
+    if runs <= MOST_POINTS as f64 {
+        return Ok(());
+    }
+    let shown = if runs < 1e15 { format!("{runs}") } else { format!("{runs:.1e}") };
+    Err(document.error("study", format!("{shown} runs")).allowed(format!("{MOST_POINTS} and fewer")))
 }
 
 /// The scene as it is understood, without what changes no result: identifies what a run answers.
@@ -133,6 +136,7 @@ impl Study {
     pub fn new(sources: &Sources) -> Result<Self> {
         let document = Document::parse(&sources.study)?;
         let settings = Settings::read(&document)?;
+        require_few(&document, &settings)?;
         let reader = Reader { document: &document, sources, settings: &settings };
         reader.check(&reader.scene(&settings.set.iter().collect::<Vec<_>>())?)?;
         let mut study = Self {
@@ -184,10 +188,6 @@ impl Study {
 
     /// Spacings are those of the first body that is finer at one resolution than at another.
     fn find_spacing(&mut self, document: &Document) -> Result<()> {
-        if self.points.len() > MOST_POINTS {
-            let what = format!("{} runs", self.points.len());
-            return Err(document.error("study", what).allowed(format!("{MOST_POINTS} and fewer")));
-        }
         let levels = self.settings.resolution.values.len();
         let first = &self.points[..levels];
         let bodies = first.iter().map(|point| point.scene.bodies.len()).min().unwrap_or(0);
@@ -223,8 +223,8 @@ impl Reader<'_> {
         let texts = changes.iter().map(|change| change.text());
         let pictures = (!self.settings.set.iter().any(|set| set.key == "output.picture")).then(|| NO_PICTURES.into());
         let overrides: Vec<String> = pictures.into_iter().chain(texts).collect();
-        Scene::parse(&self.sources.scene.path, &self.sources.scene.text, &overrides)
-            .map_err(|e| self.placed(e, changes))
+        let scene = Scene::parse(&self.sources.scene.path, &self.sources.scene.text, &overrides);
+        scene.and_then(|scene| require(&scene).map(|()| scene)).map_err(|e| self.placed(e, changes))
     }
 
     /// An error that names an override is placed at the key it came from; any other is told with the point it came up in.
@@ -304,6 +304,34 @@ mod tests {
             !study.points[3].scene.materials[0].has_strength() && study.points[0].scene.materials[0].has_strength()
         );
         assert_eq!(study.points[7].number, 8);
+    }
+
+    /// Runs are counted, not listed: 28^3, and more than any memory holds.
+    #[test]
+    fn too_many_runs_are_refused_at_once() {
+        let list = |n: usize| format!("{:?}", (0..n).map(|k| 1.0 + 1e-3 * k as f64).collect::<Vec<_>>());
+        let keys = |axes: usize, n: usize| {
+            (0..axes).map(|k| format!("material.basalt.m{k} = {}\n", list(n))).collect::<String>()
+        };
+        let started = std::time::Instant::now();
+        for (axes, n, says) in [(3, 28, "21952 runs"), (10, 10, "10000000000 runs"), (20, 100, "1.0e40 runs")] {
+            let error = study(&format!("[study.vary]\n{}", keys(axes, n))).err().unwrap();
+            assert_eq!((error.what.as_str(), error.allowed.as_str()), (says, "10000 and fewer"));
+            assert!(error.place.starts_with("s.toml:1: study"), "{error}");
+        }
+        assert!(started.elapsed().as_secs() < 5);
+        let apart = study(&format!("combine = \"one_at_a_time\"\n[study.vary]\n{}", keys(10, 10))).err().unwrap();
+        assert!(apart.what.contains("unknown"), "101 runs are few: {apart}");
+    }
+
+    #[test]
+    fn a_point_that_a_run_would_refuse_is_refused() {
+        let error = study(
+            "[study.vary]\nball.flow.mode.shape = [\"radial\"]\nball.flow.mode.speed = [1]\n\
+                           [study.set]\nmaterial.basalt.strength = false\n",
+        );
+        let error = error.err().unwrap().to_string();
+        assert!(error.contains("flow.mode") && error.contains("strength"), "{error}");
     }
 
     #[test]

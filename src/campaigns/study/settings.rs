@@ -139,6 +139,16 @@ impl Settings {
             axes,
         })
     }
+
+    /// How many runs the study asks for: settings that come out alike are counted apart.
+    pub fn runs(&self) -> f64 {
+        let lengths = self.axes.iter().map(|axis| axis.values.len() as f64);
+        let settings: f64 = match self.combine {
+            Combine::Grid => lengths.product(),
+            Combine::OneAtATime => 1.0 + lengths.sum::<f64>(),
+        };
+        settings * self.resolution.values.len() as f64
+    }
 }
 
 /// The leaves of a table of dotted keys.

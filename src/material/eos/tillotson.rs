@@ -326,4 +326,31 @@ mod tests {
             assert!(law.pressure(f64::NAN, 0.0).0.is_nan() && law.pressure(law.rho_0, f64::NAN).0.is_nan());
         }
     }
+
+    /// Nylon in each branch, from the formulas written out; its B does not act in expansion.
+    #[test]
+    fn branches_by_hand() {
+        let law = law(nylon());
+        let omega = |eta: f64, u: f64| 1.0 + u / (7e6 * eta * eta);
+        let near = |eta: f64, u: f64, expected: f64| {
+            let (p, _) = law.pressure(1185.0 * eta, u);
+            assert!((p / expected - 1.0).abs() < 1e-12, "{eta} {u}: {p:e} {expected:e}");
+        };
+        let condensed = |eta: f64, u: f64| {
+            let (mu, b) = (eta - 1.0, if eta > 1.0 { 33.8e9 } else { 0.0 });
+            (0.6 + 2.0 / omega(eta, u)) * 1185.0 * eta * u + 10.1e9 * mu + b * mu * mu
+        };
+        let vapour = |eta: f64, u: f64| {
+            let (rho, mu, nu) = (1185.0 * eta, eta - 1.0, 1.0 / eta - 1.0);
+            let cold = 10.1e9 * mu * f64::exp(-5.0 * nu);
+            0.6 * rho * u + (2.0 * rho * u / omega(eta, u) + cold) * f64::exp(-10.0 * nu * nu)
+        };
+        near(1.3, 2e7, condensed(1.3, 2e7));
+        near(0.98, 1e6, condensed(0.98, 1e6));
+        for (eta, u) in [(0.9, 3e6), (0.8, 2.5e6), (0.5, 2.4e6), (0.05, 4e7)] {
+            near(eta, u, vapour(eta, u));
+        }
+        // A quarter of the way from incipient to complete vaporisation.
+        near(0.97, 2.1e6, 0.75 * condensed(0.97, 2.1e6) + 0.25 * vapour(0.97, 2.1e6));
+    }
 }

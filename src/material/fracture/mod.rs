@@ -418,4 +418,56 @@ mod tests {
         let gas = Rig::new(gas());
         assert_eq!(gas.columns.registry.integrated.len(), 2, "density and energy");
     }
+
+    /// Whether damage of this much grows under a stress that pulls by `share` of what the weakest flaw bears, by shear or by
+    /// pressure, in matter with this distention.
+    fn grows(material: &MaterialTable, (damage, distention): (f64, f64), share: f64, by_shear: bool) -> bool {
+        let mut rig = Rig::new(material.clone());
+        let (bulk, shear) = (26.7e9, 22.7e9);
+        let youngs_modulus = 9.0 * bulk * shear / (3.0 * bulk + shear);
+        let pull = share * youngs_modulus * rig.get(rig.column::<f64>("activation_threshold"));
+        rig.set(rig.column(DAMAGE), damage);
+        if let Some(column) = rig.columns.registry.find::<f64>(porosity::DISTENTION) {
+            rig.set(column, distention);
+        }
+        // The largest principal value of diag(2, -1, -1).
+        let s = Deviator { xx: pull, yy: -0.5 * pull, ..Default::default() };
+        rig.set(rig.column(strength::DEVIATORIC_STRESS), if by_shear { s } else { Deviator::default() });
+        rig.set(rig.core.pressure, if by_shear { 0.0 } else { -pull });
+        rig.each(1e-6, &[], |effect, local| {
+            if effect.name() == "fracture" {
+                effect.update(local);
+            }
+        });
+        rig.get(rig.column::<f64>(DAMAGE)) > damage
+    }
+
+    /// Flaws lie in the matrix, whose stress is alpha times that of the body.
+    #[test]
+    fn flaws_of_porous_matter_feel_the_stress_of_the_matrix() {
+        let pores = "distention = 2\np_alpha = { quadratic = { P_e = 1e6, P_s = 2e8 } }";
+        let porous = MaterialTable { porosity: Some(toml::from_str(pores).unwrap()), ..basalt() };
+        for by_shear in [true, false] {
+            for (share, distention, expected) in
+                [(0.55, 2.0, true), (0.45, 2.0, false), (0.7, 1.5, true), (0.6, 1.5, false)]
+            {
+                let found = grows(&porous, (0.0, distention), share, by_shear);
+                assert_eq!(found, expected, "{share} at {distention}, shear: {by_shear}");
+            }
+            assert!(grows(&basalt(), (0.0, 1.0), 1.05, by_shear) && !grows(&basalt(), (0.0, 1.0), 0.95, by_shear));
+        }
+    }
+
+    /// With friction the deviator has the damage in it; what is left of the matter bears all of it: S / (1 - D).
+    #[test]
+    fn flaws_feel_the_stress_of_what_is_left_whatever_the_law_of_yield() {
+        let mut rock = basalt();
+        let law = "cohesion = 9e7\ninternal_friction = 2\nfriction = 0.8\ndamaged_cohesion = 0";
+        rock.strength.as_mut().unwrap().collins = Some(toml::from_str(law).unwrap());
+        for (share, expected) in [(0.75, true), (0.65, false)] {
+            assert_eq!(grows(&rock, (0.3, 1.0), share, true), expected, "{share}");
+        }
+        // Without friction S is that of undamaged matter.
+        assert!(grows(&basalt(), (0.3, 1.0), 1.05, true) && !grows(&basalt(), (0.3, 1.0), 0.95, true));
+    }
 }

@@ -239,4 +239,18 @@ mod tests {
         assert!(said(&strong).unwrap_err().contains("strength.collins.cohesion"));
         assert!(said(&ROCK.replace("0.8", "-0.8")).unwrap_err().contains("strength.collins.friction"));
     }
+
+    /// Heat takes strength from sand as from rock, and from solids without friction.
+    #[test]
+    fn melting_weakens_every_law() {
+        for law in ["", "drucker_prager = { cohesion = 1e6, friction = 0.4 }"] {
+            let matter = Yield::new(&table(&format!("{law}\nmelting = {{ energy = 2e6 }}")));
+            for pressure in [0.0, 1e7, 1e12] {
+                let cold = matter.strength_under(pressure, 0.0, 0.0);
+                assert!(cold > 0.0);
+                let share = |u: f64| matter.strength_under(pressure, 0.0, u) / cold;
+                assert_eq!([share(0.5e6), share(1e6), share(2e6), share(9e6)], [0.75, 0.5, 0.0, 0.0], "{law}");
+            }
+        }
+    }
 }

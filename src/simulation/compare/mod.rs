@@ -8,7 +8,7 @@ pub mod solution;
 use std::path::Path;
 
 use crate::domain::comm::Comm;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::output::summary::Figures;
 use crate::scene::Scene;
 use crate::step::Stepper;
@@ -24,8 +24,8 @@ impl Comparison {
     /// `None` where the scene names no solution; an error where its bodies do not make the problem that it names.
     pub fn new(scene: &Scene) -> Result<Option<Self>> {
         let Some(compare) = &scene.compare else { return Ok(None) };
-        let reference =
-            solution::of(scene, compare).map_err(|e| e.at(format!("{}: compare", scene.path())).bad_input())?;
+        let place = |e: Error| Error { allowed: e.allowed, ..scene.error("compare.with", e.what) };
+        let reference = solution::of(scene, compare).map_err(place)?;
         Ok(Some(Self { reference, title: scene.title.clone() }))
     }
 
