@@ -31,3 +31,4 @@ mod rest;
 mod sameness;
 mod scenes;
 mod studies;
+mod warnings;

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize, Serializer};
 use super::{agree, publish};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
+use crate::warning::Warning;
 
 /// Names with values, in the order in which they were given.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -16,6 +17,22 @@ pub struct Figures(pub Vec<(String, f64)>);
 impl Serialize for Figures {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+    }
+}
+
+/// Names of bodies with figures of each.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Remnants(pub Vec<(String, Figures)>);
+
+impl Remnants {
+    fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+impl Serialize for Remnants {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, figures)| (name, figures)))
     }
 }
 
@@ -46,6 +63,8 @@ pub struct Summary {
     pub list_bytes_per_particle: f64,
     /// Largest |E - E0| over the run, over the initial kinetic energy in the centre-of-mass frame.
     pub energy_drift: f64,
+    /// The same over the kinetic energy in that frame at the end; not a number where less than 1e-3 of the scale above is left.
+    pub energy_drift_over_left: f64,
     /// Over sum m |v|.
     pub momentum_drift: f64,
     pub angular_momentum_drift: f64,
@@ -69,6 +88,9 @@ pub struct Summary {
     pub late_stage: Option<Figures>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outcome: Option<Figures>,
+    /// Of an impact's bodies: shares of their own matter.
+    #[serde(skip_serializing_if = "Remnants::is_empty")]
+    pub remnants: Remnants,
     /// What was handed on to an N-body program.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub nbody: Option<Figures>,
@@ -76,6 +98,8 @@ pub struct Summary {
     pub threshold: Option<Threshold>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<Accuracy>,
+    /// What to know before trusting the rest.
+    pub warnings: Vec<Warning>,
 }
 
 /// A setting that was chosen for the accuracy that was asked for, by a study of the scene.
@@ -102,11 +126,11 @@ pub struct Accuracy {
 pub struct Threshold {
     pub q_star_d: f64,
     pub q_star_rd: f64,
-    /// Of Q*_D: half the bracket, residual of the fit, shift between the two times of evaluation and scatter between
-    /// realisations, combined.
+    /// Of Q*_D: half the bracket, residual of the fit, shift between the two times of evaluation, scatter between
+    /// realisations and drift of energy where an impact warns of it, combined.
     pub uncertainty: f64,
     pub uncertainty_of_q_star_rd: f64,
-    /// Parts of the uncertainty of Q*_D: bracket, residual, shift, scatter.
+    /// Parts of the uncertainty of Q*_D: bracket, residual, shift, scatter, drift.
     pub uncertainty_parts: Figures,
     /// Slope s of M_lr / M_T = 1/2 - s (Q / Q*_D - 1).
     pub slope: f64,

@@ -18,5 +18,6 @@ pub mod run;
 pub mod setup;
 pub mod signals;
 pub mod state;
+pub mod warnings;
 
 pub use run::{Ended, Options, RunReport, run};

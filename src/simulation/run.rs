@@ -16,6 +16,7 @@ use super::resources;
 use super::setup;
 use super::signals;
 use super::state::{Conservation, RunState, Spent};
+use super::warnings;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::material::porosity::DISTENTION;
@@ -26,8 +27,10 @@ use crate::output::summary::{Accuracy, Figures};
 use crate::output::{History, Summary, agree, checkpoint};
 use crate::particles::ParticleId;
 use crate::scene::{Scene, Until};
+use crate::step::packing::Packing;
 use crate::step::time_step::Limit;
 use crate::step::{Failure, Stepper, Totals};
+use crate::warning;
 
 /// How a run is to be done; the scene says what.
 #[derive(Debug, Clone)]
@@ -91,6 +94,8 @@ pub(super) struct Run<'a, const D: usize> {
     pub(super) fault: Fault,
     pub(super) comparison: Option<Comparison>,
     pub(super) later: Option<Outcome>,
+    /// Whether density is mass over volume, at the last look.
+    pub(super) packing: Vec<Packing>,
     /// What failed on this rank alone.
     pub(super) failed: Option<Error>,
     /// The step at which the run is to stop before its end.
@@ -111,6 +116,7 @@ impl<'a, const D: usize> Run<'a, D> {
         if let Some(choice) = &options.accuracy {
             tracing::info!("{choice}");
         }
+        warning::say(&warnings::of_scene(scene), comm.is_root());
         let comparison = Comparison::new(scene)?;
         let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
         Footprint::new(scene, &plan, comm.size()).require(comm).map_err(|e| e.at(scene.path()))?;
@@ -176,6 +182,7 @@ impl<'a, const D: usize> Run<'a, D> {
             fault,
             comparison,
             later: None,
+            packing: Vec::new(),
             failed: None,
             last: None,
             collapse: Collapse::default(),
@@ -401,6 +408,7 @@ impl<'a, const D: usize> Run<'a, D> {
         if self.state.counters.steps % self.scene.output.history_every != 0 {
             self.note_totals()?;
         }
+        self.note_packing();
         match (self.scene.impact.is_some(), self.state.has_outcome()) {
             (true, false) => self.take_outcome()?,
             (true, true) if self.scene.reaccumulates() => {}
@@ -425,6 +433,7 @@ impl<'a, const D: usize> Run<'a, D> {
             state: &self.state,
             totals: &self.totals,
             later: self.later.as_ref(),
+            packing: &self.packing,
             spent,
             errors,
             nbody,
@@ -434,7 +443,9 @@ impl<'a, const D: usize> Run<'a, D> {
         });
         if ended == Ended::Finished {
             summary.write(&self.options.directory.join("summary.json"), self.comm)?;
-            report::print(&summary, self.state.crater.as_ref(), &self.options.directory);
+            let said = warnings::of_scene(self.scene).len();
+            let crater = self.state.crater.as_ref();
+            report::print(&summary, (crater, said), &self.options.directory, self.comm.is_root());
         }
         Ok(RunReport { ended, summary, outcome: self.state.outcome, later: self.later })
     }
