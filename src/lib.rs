@@ -3,6 +3,7 @@
 pub mod error;
 pub mod math;
 pub mod units;
+pub mod warning;
 
 pub mod kernel;
 pub mod particles;

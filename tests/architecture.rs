@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 /// stands below the other files of the lowest floor, as they report errors, `random` below `math`, whose tests draw numbers, and
 /// `cli` below `program`.
 const FLOORS: [&[&str]; 12] = [
-    &["error"],
+    &["error", "warning"],
     &["random"],
     &["math", "units"],
     &["kernel", "particles"],

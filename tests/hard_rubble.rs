@@ -172,7 +172,8 @@ fn meet(changes: &[&str], comm: &Comm) -> Left {
     let packer = &settings.packer;
     let damage = |i: usize, body: usize| packer.damage(&hand.stepper.columns, i, body);
     let pieces = particles(&hand.stepper.columns, &settings.core, &settings.constants, damage);
-    let outcome = evaluate(comm, &pieces, &Question { dimension: 3, target_mass: mass }).outcome;
+    let outcome =
+        evaluate(comm, &pieces, &Question { dimension: 3, target_mass: mass, bodies: [0, 1], others: false }).outcome;
     let left = Left {
         bound: [outcome.largest_remnant_fraction, outcome.second_remnant_fraction],
         fastest: fastest / (4.0 * before.kinetic_in_centre_of_mass() / mass).sqrt(),

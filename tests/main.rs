@@ -34,3 +34,4 @@ mod restart;
 mod sameness;
 mod scenes;
 mod studies;
+mod warnings;

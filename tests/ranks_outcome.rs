@@ -7,7 +7,7 @@ use crate::common::same_on_any_ranks;
 use sph_mpi::domain::comm::Comm;
 use sph_mpi::gravity::G;
 use sph_mpi::math::Vec3;
-use sph_mpi::outcome::{Evaluation, Particle, Question, distributions::distributions, evaluate, fragments};
+use sph_mpi::outcome::{Evaluation, Particle, Question, distributions::distributions, evaluate, fragments, origin};
 use sph_mpi::random::uniform;
 
 /// Whether this rank holds something at `x` in [-1, 1]: slabs, with one in twenty astray.
@@ -33,6 +33,11 @@ fn collected(comm: &Comm, records: Vec<(u64, Vec<u64>)>) -> String {
 }
 
 const SPACING: f64 = 100.0;
+
+/// Of target and projectile alone.
+fn question(dimension: usize, target_mass: f64) -> Question {
+    Question { dimension, target_mass, bodies: [0, 1], others: false }
+}
 
 /// A particle on the cubic lattice of spacing 100 m, density 2700.
 fn particle(id: u64, site: [i64; 3], velocity: Vec3, damage: f64) -> Particle {
@@ -91,7 +96,7 @@ fn fragments_across_ranks() {
             };
             assert_eq!(*label, expected, "{at}");
         }
-        let question = Question { dimension: 2, target_mass: 1e12 };
+        let question = question(2, 1e12);
         let evaluation = evaluate(comm, &mine, &question);
         assert_eq!(evaluation.outcome.fragments, 2);
         let mass = all[0].mass;
@@ -135,7 +140,7 @@ fn rubble_is_bound_and_fast_ejecta_are_not() {
         let mine = share(comm, &all, 65.0 * SPACING);
         let mass = all[0].mass;
         let target_mass = mass * in_large as f64;
-        let evaluation = evaluate(comm, &mine, &Question { dimension: 3, target_mass });
+        let evaluation = evaluate(comm, &mine, &question(3, target_mass));
         let outcome = &evaluation.outcome;
         let expected = (in_large + 2 - in_core) as f64 / in_large as f64;
         assert!((outcome.largest_remnant_fraction - expected).abs() < 1e-12, "{outcome:?} {expected}");
@@ -164,7 +169,7 @@ fn two_halves_obey_two_body_energy() {
                 all.push(particle(k as u64, position, Vec3::new(speed, 0.0, 0.0), 0.0));
             }
             let mine = share(comm, &all, 25.0 * SPACING);
-            let question = Question { dimension: 3, target_mass: 2.0 * half_mass };
+            let question = question(3, 2.0 * half_mass);
             let outcome = evaluate(comm, &mine, &question).outcome;
             assert!((outcome.largest_fragment_fraction - 0.5).abs() < 1e-14);
             fractions.push(outcome.largest_remnant_fraction);
@@ -178,7 +183,7 @@ fn two_halves_obey_two_body_energy() {
 #[test]
 fn few_particles() {
     same_on_any_ranks("ranks_outcome::few_particles", |comm| {
-        let question = Question { dimension: 3, target_mass: 2.0 * 2700.0 * SPACING * SPACING * SPACING };
+        let question = question(3, 2.0 * 2700.0 * SPACING * SPACING * SPACING);
         let look = |distance, speed| {
             let both = [
                 particle(3, [0; 3], Vec3::zeros(), 0.0),
@@ -222,7 +227,7 @@ fn expanding_rubble_has_one_outcome() {
             .collect();
         let mine = share(comm, &all, n as f64 * SPACING);
         let target_mass = all[0].mass * all.len() as f64;
-        let evaluation = evaluate(comm, &mine, &Question { dimension: 3, target_mass });
+        let evaluation = evaluate(comm, &mine, &question(3, target_mass));
         let outcome = &evaluation.outcome;
         assert!((outcome.total_mass / target_mass - 1.0).abs() < 1e-14);
         assert!(outcome.fragments > 20 && outcome.strict.fragments > 20, "{outcome:?}");
@@ -240,7 +245,7 @@ fn shares_are_those_of_the_masses_they_are_named_for() {
         let dust = |k: i64| particle(20 + k as u64, [0, 10 * k, 0], Vec3::zeros(), 1.0);
         let all: Vec<Particle> = (0..10).map(rod).chain((1..=5).map(dust)).collect();
         let mine = share(comm, &all, 7.0 * SPACING);
-        let question = Question { dimension: 2, target_mass: 12.0 * all[0].mass };
+        let question = question(2, 12.0 * all[0].mass);
         let evaluation = evaluate(comm, &mine, &question);
         let outcome = &evaluation.outcome;
         let near =
@@ -254,5 +259,64 @@ fn shares_are_those_of_the_masses_they_are_named_for() {
         near(outcome.strict.largest_fragment_fraction, 4.0 / 12.0);
         assert_eq!((outcome.fragments, outcome.strict.fragments), (1, 1));
         digest(comm, &evaluation)
+    });
+}
+
+/// A broken moonlet that falls together again, an intact chip of it that leaves, a projectile that has flown on; and beside them a
+/// neighbour of thirty times its mass, whole or in rubble. Figures are those without the neighbour; by itself each body is told.
+#[test]
+fn a_neighbour_is_no_remnant() {
+    same_on_any_ranks("ranks_outcome::a_neighbour_is_no_remnant", |comm| {
+        let ball = |radius: i64, centre: i64| {
+            let sites = (0..(2 * radius + 1).pow(3)).map(move |k| {
+                let side = 2 * radius + 1;
+                [k / (side * side) - radius, k / side % side - radius, k % side - radius]
+            });
+            let inside = sites.filter(move |s| s.iter().map(|c| c * c).sum::<i64>() <= radius * radius);
+            inside.map(move |[x, y, z]| [x + centre, y, z])
+        };
+        let mut answers = String::new();
+        for neighbour_damage in [0.0, 1.0] {
+            let mut all: Vec<Particle> = Vec::new();
+            let mut put = |body: u64, sites: &mut dyn Iterator<Item = [i64; 3]>, speed: f64, damage| {
+                for site in sites {
+                    let id = (body << 48) + all.len() as u64;
+                    all.push(particle(id, site, Vec3::new(0.0, speed, 0.0), damage));
+                }
+            };
+            put(0, &mut ball(3, 0), 0.0, 1.0);
+            put(0, &mut (0..5).map(|k| [0, 8, k]), 50.0, 0.0);
+            put(1, &mut ball(2, 30), 80.0, 1.0);
+            put(2, &mut ball(9, -30), 0.0, neighbour_damage);
+            let (moonlet, chip) = (ball(3, 0).count() as f64, 5.0);
+            let own = moonlet as usize + 5 + ball(2, 30).count();
+            let mass = all[0].mass;
+            let target_mass = mass * (moonlet + chip);
+            let alone = share(comm, &all[..own], 40.0 * SPACING);
+            let alone = evaluate(comm, &alone, &question(3, target_mass)).outcome;
+            let mine = share(comm, &all, 40.0 * SPACING);
+            let asked = Question { others: true, ..question(3, target_mass) };
+            let evaluation = evaluate(comm, &mine, &asked);
+            let found = &evaluation.outcome;
+            let same = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-12, "{a} {b}");
+            same(found.largest_remnant_fraction, moonlet / (moonlet + chip));
+            same(found.largest_remnant_fraction, alone.largest_remnant_fraction);
+            same(found.largest_remnant_of_total, alone.largest_remnant_of_total);
+            same(found.second_remnant_fraction, alone.second_remnant_fraction);
+            same(found.largest_fragment_fraction, chip / (moonlet + chip));
+            same(found.unbound_mass, alone.unbound_mass);
+            assert_eq!((found.fragments, found.largest_remnant_particles), (1, moonlet as u64));
+            let masses = [target_mass, mass * ball(2, 0).count() as f64, mass * ball(9, 0).count() as f64];
+            let told = origin::by_body(comm, &mine, (&evaluation, &asked), &masses);
+            same(told[0].remnant, moonlet / (moonlet + chip));
+            same(told[0].fragment, chip / (moonlet + chip));
+            assert_eq!((told[1].in_largest_remnant, told[1].fragment), (0.0, 0.0));
+            same(told[1].remnant, 1.0);
+            assert_eq!((told[2].body, told[2].in_largest_remnant), (2, 0.0));
+            same(told[2].remnant, 1.0);
+            assert_eq!(told[2].fragment > 0.99, neighbour_damage == 0.0);
+            answers += &(digest(comm, &evaluation) + &format!("{told:?}"));
+        }
+        answers
     });
 }

@@ -18,8 +18,9 @@ use crate::scene::{Precision, Scene, Until};
 use crate::simulation::footprint::Footprint;
 use crate::simulation::late::free_fall_time;
 use crate::simulation::setup::{self, Plan};
-use crate::simulation::{report, resources};
+use crate::simulation::{report, resources, warnings};
 use crate::step::time_step;
+use crate::warning::Warning;
 
 /// Impacts that a threshold search usually takes.
 const IMPACTS: f64 = 6.0;
@@ -40,6 +41,7 @@ pub fn check(scene: &Scene, ranks: usize, network: Option<(f64, f64)>, comm: &Co
         memory(&plan, &footprint, ranks),
         one_step(&alone, &shared, (&pace, life), ranks),
         time(scene, &plan, &footprint, &pace, (&shared, ranks)),
+        warned(&warnings::of_scene(scene)),
     ];
     Ok(parts.concat())
 }
@@ -47,6 +49,12 @@ pub fn check(scene: &Scene, ranks: usize, network: Option<(f64, f64)>, comm: &Co
 /// Particles are not listed where there are many of them. Collective.
 fn particles(scene: &Scene, comm: &Comm) -> Result<Vec<BodyConstants>> {
     setup::expected_particles(scene).map_or_else(|| setup::count_particles(scene, comm), Ok)
+}
+
+/// A paragraph of warnings; empty without any.
+pub fn warned(warnings: &[Warning]) -> String {
+    let lines: String = warnings.iter().map(|w| format!("  {}: {}\n", w.kind, w.text)).collect();
+    if lines.is_empty() { lines } else { format!("\nwarnings\n{lines}") }
 }
 
 fn bodies(scene: &Scene, plan: &Plan) -> String {

@@ -74,7 +74,7 @@ impl Crossing {
     /// The fitted crossing, held within the bracket widened by its own error, as the line is only an interpolation between
     /// impacts. The bracket's crossing where no falling line can be fitted.
     fn of(shares: &[(f64, f64)], bracket: &Bracket) -> Self {
-        let near: Vec<(f64, f64)> = shares.iter().copied().filter(|(_, share)| weight(*share) > 0.0).collect();
+        let near: Vec<(f64, f64)> = shares.iter().copied().filter(|(_, share)| is_fitted(*share)).collect();
         match Line::through(&near) {
             Some(line) => {
                 let (q, error) = line.crossing();
@@ -93,6 +93,11 @@ impl Crossing {
 fn slope_between(shares: &[(f64, f64)], bracket: &Bracket) -> f64 {
     let share_at = |q: f64| shares.iter().find(|(x, _)| *x == q).map_or(HALF, |(_, share)| *share);
     (share_at(bracket.low) - share_at(bracket.high)) / (bracket.high - bracket.low) * bracket.crossing
+}
+
+/// Whether the law is fitted to an impact that left this share.
+pub fn is_fitted(share: f64) -> bool {
+    weight(share) > 0.0
 }
 
 /// Tricube: one at one half, falling smoothly to zero.

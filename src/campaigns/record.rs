@@ -2,9 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use super::bracket::Point;
+use super::fit;
 use super::study::points::understood;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
@@ -14,6 +15,7 @@ use crate::output::publish::{cannot, replace_text};
 use crate::output::summary::Figures;
 use crate::scene::Scene;
 use crate::scene::identity::{Difference, differences};
+use crate::warning::Warning;
 
 /// One finished impact.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -29,6 +31,9 @@ pub struct Impact {
     pub later: Outcome,
     pub price: Price,
     pub state_hash: String,
+    /// Of its run.
+    #[serde(default)]
+    pub warnings: Vec<Warning>,
 }
 
 /// What an impact has cost and how well it conserved.
@@ -42,8 +47,20 @@ pub struct Price {
     pub pair_interactions: u64,
     pub updates: f64,
     pub energy_drift: f64,
+    #[serde(default = "not_known", deserialize_with = "number_or_null")]
+    pub energy_drift_over_left: f64,
     pub momentum_drift: f64,
+    #[serde(deserialize_with = "number_or_null")]
     pub angular_momentum_drift: f64,
+}
+
+fn not_known() -> f64 {
+    f64::NAN
+}
+
+/// JSON has no number that is none.
+fn number_or_null<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<f64, D::Error> {
+    Option::<f64>::deserialize(deserializer).map(|number| number.unwrap_or(f64::NAN))
 }
 
 impl Impact {
@@ -65,6 +82,28 @@ impl Impact {
         }
     }
 
+    /// Whether the threshold rests on it: it is fitted, or tells the scatter.
+    pub fn decides(&self) -> bool {
+        fit::is_fitted(self.outcome.largest_remnant_fraction)
+    }
+
+    /// How far its energy may be wrong, relative: the drift over the kinetic energy that is left, which sets what leaves the target;
+    /// zero where it warns of none.
+    pub fn drift(&self) -> f64 {
+        let warned = self.warnings.iter().any(|warning| warning.kind == "energy");
+        match (warned, self.price.energy_drift_over_left) {
+            (false, _) => 0.0,
+            (true, left) if left.is_nan() => self.price.energy_drift.min(1.0),
+            (true, left) => left.min(1.0),
+        }
+    }
+
+    /// Warnings that say something about the threshold: how few particles a remnant has matters where it is near one half.
+    pub fn told_warnings(&self) -> Vec<Warning> {
+        let matters = |warning: &&Warning| self.decides() || warning.kind != "few_particles";
+        self.warnings.iter().filter(matters).cloned().collect()
+    }
+
     /// A row of the table.
     pub fn figures(&self) -> Figures {
         let named = |name: &str, value: f64| (name.to_string(), value);
@@ -84,6 +123,8 @@ impl Impact {
             named("pair_interactions", self.price.pair_interactions as f64),
             named("energy_drift", self.price.energy_drift),
             named("momentum_drift", self.price.momentum_drift),
+            named("energy_drift_over_left", self.price.energy_drift_over_left),
+            named("warnings", self.warnings.len() as f64),
         ])
     }
 }
@@ -147,4 +188,37 @@ pub fn write(directory: &Path, impacts: &[Impact], comm: &Comm) -> Result<()> {
         replace_text(&file(directory), &(text + "\n"))
     };
     agree(comm, if comm.is_root() { write() } else { Ok(()) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn drift_counts_where_it_is_warned_of() {
+        let price = Price { energy_drift: 2e-3, energy_drift_over_left: 0.3, ..Price::default() };
+        let text = serde_json::to_string(&price).expect("JSON");
+        let of = |price: Price, warnings: Vec<Warning>| Impact {
+            repeat: 0,
+            length: 1.0,
+            q: 1.0,
+            q_r: 1.0,
+            outcome: Outcome { largest_remnant_fraction: 0.05, ..Outcome::default() },
+            later: Outcome::default(),
+            price,
+            state_hash: String::new(),
+            warnings,
+        };
+        let energy = || vec![Warning::new("energy", "drifts".into()), Warning::new("few_particles", "few".into())];
+        assert_eq!(of(price, Vec::new()).drift(), 0.0);
+        assert_eq!(of(price, energy()).drift(), 0.3);
+        let spent = Price { energy_drift_over_left: f64::NAN, ..price };
+        assert_eq!(of(spent, energy()).drift(), 2e-3);
+        let nothing_left = serde_json::to_string(&spent).expect("JSON");
+        let read = |text: &str| serde_json::from_str::<Price>(text).expect("a price").energy_drift_over_left;
+        assert!(read(&nothing_left).is_nan() && read(&text) == 0.3);
+        assert!(read(&text.replace("\"energy_drift_over_left\":0.3,", "")).is_nan());
+        // A remnant of a twentieth decides nothing, however few particles it has.
+        assert_eq!(of(price, energy()).told_warnings(), energy()[..1]);
+    }
 }

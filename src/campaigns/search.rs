@@ -1,7 +1,8 @@
 //! The catastrophic disruption threshold: impact after impact at the scene's speed and angle, the projectile's size varied,
 //! until the largest remnant is known to fall through one half. Q*_D and Q*_RD come from the same impacts. A few more, at the
 //! threshold but with other flaws and another orientation of the lattice, tell how much the outcome of one impact is worth:
-//! their standard deviation, over the slope of the remnant law, is part of the uncertainty.
+//! their standard deviation, over the slope of the remnant law, is part of the uncertainty. So is the drift of energy, where an impact
+//! that the law is fitted to warns of it.
 
 use std::path::Path;
 
@@ -18,6 +19,7 @@ use crate::output::{Summary, agree};
 use crate::scene::{Body, Scene, Shape};
 use crate::simulation::lock::Work;
 use crate::simulation::{self, Ended, Options};
+use crate::warning::{self, Warning};
 
 /// What the search knows of its scene.
 struct Search<'a> {
@@ -202,6 +204,7 @@ impl<'a> Search<'a> {
             later,
             price: price(&report.summary),
             state_hash: report.summary.state_hash,
+            warnings: report.summary.warnings,
         }))
     }
 }
@@ -216,6 +219,7 @@ fn price(summary: &Summary) -> Price {
         pair_interactions: summary.pair_interactions,
         updates: summary.updates_per_core_second * summary.core_seconds,
         energy_drift: summary.energy_drift,
+        energy_drift_over_left: summary.energy_drift_over_left,
         momentum_drift: summary.momentum_drift,
         angular_momentum_drift: summary.angular_momentum_drift,
     }
@@ -229,6 +233,8 @@ struct Found<'a> {
     rd: Option<Threshold>,
     /// Standard deviation of the threshold between repeats, J/kg; none without repeats.
     scatter: Option<f64>,
+    /// Largest relative drift of energy of an impact that the threshold rests on, where it is warned of; else zero.
+    drift: f64,
     end: String,
 }
 
@@ -239,14 +245,19 @@ impl<'a> Found<'a> {
         let shares: Vec<f64> = repeated.map(|impact| impact.outcome.largest_remnant_fraction).collect();
         let scatter = d.as_ref().filter(|_| shares.len() > 1).map(|t| deviation(&shares) * t.q_star / t.slope);
         let rd = threshold(&progress.points(Impact::point_of_total));
-        Self { search: progress.search, impacts: &progress.impacts, d, rd, scatter, end }
+        // Where no impact is near one half, the bracket decides.
+        let none_decides = !progress.impacts.iter().any(Impact::decides);
+        let deciding = progress.impacts.iter().filter(|impact| none_decides || impact.decides());
+        let drift = deciding.map(Impact::drift).fold(0.0, f64::max);
+        Self { search: progress.search, impacts: &progress.impacts, d, rd, scatter, drift, end }
     }
 
-    /// A threshold's own uncertainty and the scatter between realisations, which is alike in relative terms for both.
+    /// A threshold's own uncertainty, the scatter between realisations and the drift, which are alike in relative terms for both.
     fn uncertainty(&self, t: &Threshold) -> f64 {
         let relative = self.d.as_ref().zip(self.scatter).map_or(0.0, |(d, scatter)| scatter / d.q_star);
         let scatter = relative * t.q_star;
-        (t.uncertainty.combined * t.uncertainty.combined + scatter * scatter).sqrt()
+        let drift = self.drift * t.q_star;
+        (t.uncertainty.combined * t.uncertainty.combined + scatter * scatter + drift * drift).sqrt()
     }
 
     /// summary.json, threshold.csv and two figures, on rank 0; and the result in words. Collective.
@@ -254,7 +265,7 @@ impl<'a> Found<'a> {
         let summary = self.summary(comm);
         summary.write(&directory.join("summary.json"), comm)?;
         agree(comm, if comm.is_root() { self.write_alone(directory) } else { Ok(()) })?;
-        self.print(directory);
+        self.print(&summary, directory, comm.is_root());
         Ok(summary)
     }
 
@@ -278,7 +289,9 @@ impl<'a> Found<'a> {
         let parts = self.d.iter().flat_map(|t| {
             let u = &t.uncertainty;
             let scatter = self.scatter.unwrap_or(f64::NAN);
-            [("bracket", u.bracket), ("residual", u.residual), ("shift", u.shift), ("scatter", scatter)]
+            let drift = self.drift * t.q_star;
+            let own = [("bracket", u.bracket), ("residual", u.residual), ("shift", u.shift)];
+            own.into_iter().chain([("scatter", scatter), ("drift", drift)])
         });
         let uncertainty = |found: &Option<Threshold>| found.as_ref().map_or(f64::NAN, |t| self.uncertainty(t));
         summary::Threshold {
@@ -316,11 +329,19 @@ impl<'a> Found<'a> {
             pair_interactions: sum(|p| p.pair_interactions as f64) as u64,
             updates_per_core_second: sum(|p| p.updates) / core_seconds.max(1e-9),
             energy_drift: largest(|p| p.energy_drift),
+            energy_drift_over_left: largest(|p| p.energy_drift_over_left),
             momentum_drift: largest(|p| p.momentum_drift),
             angular_momentum_drift: largest(|p| p.angular_momentum_drift),
             threshold: Some(self.threshold()),
+            warnings: self.warnings(),
             ..Summary::default()
         }
+    }
+
+    /// Of all impacts, each kind once.
+    fn warnings(&self) -> Vec<Warning> {
+        let told: Vec<Vec<Warning>> = self.impacts.iter().map(Impact::told_warnings).collect();
+        warning::merged("impact", (1..).zip(told.iter().map(Vec::as_slice)))
     }
 
     fn table(&self) -> String {
@@ -400,7 +421,7 @@ impl<'a> Found<'a> {
         }
     }
 
-    fn print(&self, directory: &Path) {
+    fn print(&self, summary: &Summary, directory: &Path, is_root: bool) {
         let t = self.threshold();
         tracing::info!(
             "Q*_D = {:.4e} +- {:.1e} J/kg at {:.0} degrees from the normal, {:.2} of Benz & Asphaug 1999 ({:.3e}, their fit averages over angles)",
@@ -417,7 +438,11 @@ impl<'a> Found<'a> {
             self.impacts.len(),
             self.end
         );
-        tracing::info!("written to {}", directory.display());
+        if self.drift > 0.0 {
+            tracing::info!("the uncertainty contains {:.1e} J/kg for the drift of energy", self.drift * t.q_star_d);
+        }
+        warning::say(&summary.warnings, is_root);
+        tracing::info!("written to {}{}", directory.display(), warning::in_short(&summary.warnings));
     }
 }
 

@@ -7,7 +7,7 @@
 //! potential of everything, to the motion around the deepest place in it. Where next to nothing is, as that place flies off where
 //! pores collapse, it starts from what is bound to the motion of one piece: of a sample, the one to which most is. (Alone that would
 //! not do: to matter between two piles that part both are bound, each by itself, and would count as one.) The most massive result
-//! counts.
+//! counts: in all, or in matter of one body (`rank`).
 
 use super::Piece;
 use crate::domain::comm::Comm;
@@ -36,19 +36,23 @@ pub struct Aggregate {
     pub mass: f64,
 }
 
-/// The most massive aggregate among the pieces that are `free`. Collective.
-pub fn largest(comm: &Comm, pieces: &[Piece], free: &[bool]) -> Aggregate {
-    let search = Search { comm, pieces, free };
-    let fragments = (0..pieces.len()).filter(|&i| free[i] && pieces[i].count > 1);
-    let from_fragment = match best(comm, pieces, fragments.map(|i| (pieces[i].mass, i))) {
+/// What makes one piece larger than another, kg.
+pub type Rank<'a> = &'a dyn Fn(&Piece) -> f64;
+
+/// The largest aggregate by `rank` among the pieces that are `free`. Collective.
+pub fn largest(comm: &Comm, pieces: &[Piece], free: &[bool], rank: Rank) -> Aggregate {
+    let search = Search { comm, pieces, free, rank };
+    let fragments = (0..pieces.len()).filter(|&i| free[i] && pieces[i].count > 1 && rank(&pieces[i]) > 0.0);
+    let from_fragment = match best(comm, pieces, fragments.map(|i| (rank(&pieces[i]), i))) {
         Some(label) => search.grow(pieces.iter().map(|p| p.label == label).collect()),
         None => Aggregate { members: vec![false; pieces.len()], mass: 0.0 },
     };
-    if from_fragment.mass > 0.5 * search.sum(free).0 {
+    let [held, all] = [&from_fragment.members[..], free].map(|members| search.ranked(members));
+    if held > 0.5 * all {
         return from_fragment;
     }
     let from_rubble = search.rubble();
-    if from_rubble.mass > from_fragment.mass { from_rubble } else { from_fragment }
+    if search.ranked(&from_rubble.members) > held { from_rubble } else { from_fragment }
 }
 
 /// The label of the piece with the largest figure over all ranks, the smallest label among equals. Collective.
@@ -65,6 +69,7 @@ struct Search<'a> {
     comm: &'a Comm,
     pieces: &'a [Piece],
     free: &'a [bool],
+    rank: Rank<'a>,
 }
 
 impl Search<'_> {
@@ -161,6 +166,13 @@ impl Search<'_> {
 
     fn chosen(&self, members: &[bool]) -> impl Iterator<Item = usize> {
         (0..self.pieces.len()).filter(move |&i| members[i])
+    }
+
+    /// Sum of the members' ranks on all ranks, kg.
+    fn ranked(&self, members: &[bool]) -> f64 {
+        let mut sum = [ExactSum::new()];
+        self.chosen(members).for_each(|i| sum[0].add((self.rank)(&self.pieces[i])));
+        super::all_values(self.comm, &mut sum)[0]
     }
 
     /// Mass and momentum of the members on all ranks.

@@ -28,7 +28,7 @@ pub struct Distributions {
 /// Collective. `dimension` decides what an equivalent diameter is.
 pub fn distributions(comm: &Comm, evaluation: &Evaluation, dimension: usize) -> Distributions {
     let listed = list(comm, evaluation, dimension);
-    let total = evaluation.outcome.total_mass;
+    let total = evaluation.mass;
     // Bin k holds (2^-(k + 1), 2^-k] of the total mass; a mass rounded above the total belongs to the first.
     let by_size = |piece: &Piece| -libm::log2(piece.mass / total);
     let sizes = Bins::count(comm, &evaluation.pieces, by_size);

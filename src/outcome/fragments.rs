@@ -228,18 +228,23 @@ fn around(points: &[Point]) -> [[f64; 3]; 2] {
 }
 
 /// The pieces the material is in: whole fragments, each on the rank that owns the particle it is named after, and loose
-/// particles where they are; in order of label. Collective.
-pub fn pieces(comm: &Comm, scale: &Scale, particles: &[Particle], labels: &[Option<u64>]) -> Vec<Piece> {
+/// particles where they are; in order of label. `bodies`: numbers of the two whose matter is told apart. Collective.
+pub fn pieces(
+    comm: &Comm,
+    scale: &Scale,
+    (particles, labels): (&[Particle], &[Option<u64>]),
+    bodies: [usize; 2],
+) -> Vec<Piece> {
     let mut parts: BTreeMap<u64, (Tally, bool)> = BTreeMap::new();
     let mut pieces = Vec::new();
     for (particle, label) in particles.iter().zip(labels) {
         if let Some(label) = label {
             let (tally, home) = parts.entry(*label).or_default();
-            tally.add(scale, particle);
+            tally.add(scale, particle, bodies);
             *home |= particle.id == *label;
         } else {
             let mut tally = Tally::default();
-            tally.add(scale, particle);
+            tally.add(scale, particle, bodies);
             pieces.push(Piece::new(particle.id, &tally, scale));
         }
     }

@@ -1,27 +1,35 @@
 //! What an impact left behind: fragments, what gravity holds together, and when it is time to look.
 //!
 //! Everything here runs in parallel on the owned particles; sums are exact and ties go to the smallest label, so that the
-//! outcome has the same bits on any number of ranks. Material of all bodies counts; velocities are relative to the common
-//! centre of mass wherever they are reported.
+//! outcome has the same bits on any number of ranks. Velocities are relative to the common centre of mass wherever they are
+//! reported.
+//!
+//! Where a scene has just a target and a projectile, all matter counts, and the largest remnant is the most massive aggregate,
+//! whichever body it comes from. Where there are further bodies, only the matter of these two counts; the largest remnant is the
+//! aggregate that holds most of the target's, and pieces that are mostly of other bodies stand aside, as an untouched neighbour is
+//! no remnant of what was hit. What became of each body by itself see `origin`.
 
 pub mod bound;
 pub mod crater;
 pub mod distributions;
 pub mod fragments;
 pub mod nbody;
+pub mod origin;
 pub mod profiles;
 pub mod reaccumulated;
 pub mod rebound;
 pub mod scaling;
 pub mod settled;
 pub mod tally;
+pub mod vapour;
 
 use serde::{Deserialize, Serialize};
 
 use crate::domain::comm::Comm;
 use crate::material::{BodyConstants, Core};
 use crate::math::{ExactSum, Vec3};
-use crate::particles::Columns;
+use crate::particles::{Columns, ParticleId};
+use origin::Origin;
 use tally::{Scale, Tally};
 
 /// Particles damaged less than this are linked into fragments.
@@ -43,7 +51,15 @@ pub struct Particle {
     pub volume: f64,
     /// Edge of a cube of that volume (of a square in 2D), m.
     pub spacing: f64,
+    /// Vapour, which holds nothing together, counts as broken.
     pub damage: f64,
+}
+
+impl Particle {
+    /// Number of the body it comes from.
+    pub fn body(&self) -> usize {
+        ParticleId(self.id).body()
+    }
 }
 
 /// The owned particles as the outcome sees them; `damage` of particle i of a body.
@@ -91,6 +107,8 @@ pub struct Piece {
     pub position: Vec3,
     /// Of the centre of mass, m/s.
     pub velocity: Vec3,
+    /// Matter of each of the two bodies that are asked about, kg.
+    pub of: [f64; 2],
 }
 
 impl Piece {
@@ -102,6 +120,7 @@ impl Piece {
             volume: tally.volume(scale),
             position: tally.position(scale),
             velocity: tally.velocity(scale),
+            of: tally.masses(scale),
         }
     }
 
@@ -117,10 +136,26 @@ pub struct Question {
     pub dimension: usize,
     /// Mass of the target, kg.
     pub target_mass: f64,
+    /// Numbers of target and projectile.
+    pub bodies: [usize; 2],
+    /// Whether the scene has further bodies.
+    pub others: bool,
+}
+
+impl Question {
+    /// What makes one piece larger than another, kg.
+    pub fn rank(&self, piece: &Piece) -> f64 {
+        if self.others { piece.of[0] } else { piece.mass }
+    }
+
+    /// What counts of a piece, kg.
+    pub fn counted(&self, piece: &Piece) -> f64 {
+        if self.others { piece.of[0] + piece.of[1] } else { piece.mass }
+    }
 }
 
 /// The outcome of an impact; fractions are of the target's mass where nothing else is said.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
     /// kg.
     pub target_mass: f64,
@@ -128,6 +163,9 @@ pub struct Outcome {
     pub total_mass: f64,
     /// The largest bound aggregate; in 2D, where there is no gravity, the largest fragment.
     pub largest_remnant_fraction: f64,
+    /// Particles in it.
+    #[serde(default)]
+    pub largest_remnant_particles: u64,
     /// The same over the mass of both bodies.
     pub largest_remnant_of_total: f64,
     /// The largest aggregate of what is left.
@@ -140,10 +178,13 @@ pub struct Outcome {
     pub unbound_mass: f64,
     /// The same with fragments of less damaged material.
     pub strict: Strict,
+    /// What became of each body, where that was asked.
+    #[serde(default)]
+    pub bodies: Vec<Origin>,
 }
 
 /// The outcome with fragments of particles damaged less than [`STRICT_DAMAGE`].
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Strict {
     pub largest_remnant_fraction: f64,
     pub largest_fragment_fraction: f64,
@@ -157,15 +198,18 @@ pub struct Evaluation {
     pub pieces: Vec<Piece>,
     /// Which of them belong to the largest remnant.
     pub in_largest: Vec<bool>,
-    /// Centre of mass and its velocity.
+    /// Centre of mass of everything and its velocity.
     pub frame: (Vec3, Vec3),
+    /// Mass of everything, kg.
+    pub mass: f64,
 }
 
 /// Evaluates the state of all ranks. Collective.
 pub fn evaluate(comm: &Comm, particles: &[Particle], question: &Question) -> Evaluation {
     let scale = Scale::agree(comm, particles);
-    let total = tally::total(comm, &scale, particles.iter().copied());
-    let total_mass = total.mass(&scale);
+    let total = tally::total(comm, &scale, particles, question.bodies);
+    let mass = total.mass(&scale);
+    let total_mass = if question.others { total.masses(&scale).iter().sum() } else { mass };
     let over_target = |mass: f64| mass / question.target_mass;
     let [usual, strict] =
         [LINK_DAMAGE, STRICT_DAMAGE].map(|damage| fragments::labels(comm, particles, fragments::Link::Intact(damage)));
@@ -181,26 +225,30 @@ pub fn evaluate(comm: &Comm, particles: &[Particle], question: &Question) -> Eva
         [0.0] => with_strict_links(&usual),
         _ => with_strict_links(&Remnants::find(comm, particles, &scale, &strict, question)),
     };
-    let others: Vec<bool> = usual.in_largest.iter().map(|member| !member).collect();
+    let others: Vec<bool> = usual.free.iter().zip(&usual.in_largest).map(|(free, member)| *free && !member).collect();
     let second = usual.largest_of(comm, &others, question).0;
     let outcome = Outcome {
         target_mass: question.target_mass,
         total_mass,
         largest_remnant_fraction: over_target(usual.mass),
+        largest_remnant_particles: usual.particles(comm),
         largest_remnant_of_total: usual.mass / total_mass,
         second_remnant_fraction: over_target(second),
         largest_fragment_fraction: over_target(usual.largest_fragment),
         fragments: usual.fragments,
         unbound_mass: (total_mass - usual.mass).max(0.0),
         strict,
+        bodies: Vec::new(),
     };
     let frame = (total.position(&scale), total.velocity(&scale));
-    Evaluation { outcome, pieces: usual.pieces, in_largest: usual.in_largest, frame }
+    Evaluation { outcome, pieces: usual.pieces, in_largest: usual.in_largest, frame, mass }
 }
 
 /// Pieces at one threshold of damage, and the largest remnant among them.
 struct Remnants {
     pieces: Vec<Piece>,
+    /// Which of them may be part of a remnant.
+    free: Vec<bool>,
     in_largest: Vec<bool>,
     mass: f64,
     largest_fragment: f64,
@@ -210,33 +258,64 @@ struct Remnants {
 impl Remnants {
     /// `labels`: of the fragment that each particle belongs to, if any.
     fn find(comm: &Comm, particles: &[Particle], scale: &Scale, labels: &[Option<u64>], question: &Question) -> Self {
-        let pieces = fragments::pieces(comm, scale, particles, labels);
-        let is_fragment = |piece: &&Piece| piece.count > 1;
-        let mut count = [pieces.iter().filter(is_fragment).count() as i64];
+        let pieces = fragments::pieces(comm, scale, (particles, labels), question.bodies);
+        Self::among(comm, pieces, question)
+    }
+
+    fn among(comm: &Comm, pieces: Vec<Piece>, question: &Question) -> Self {
+        let is_fragment = |i: &usize| pieces[*i].count > 1 && question.counted(&pieces[*i]) > 0.0;
+        let fragments = || (0..pieces.len()).filter(is_fragment);
+        let mut count = [fragments().count() as i64];
         comm.all_sum(&mut count);
-        let mut largest = [pieces.iter().filter(is_fragment).fold(0.0, |m: f64, piece| m.max(piece.mass))];
-        comm.all_max(&mut largest);
-        let nothing = Vec::new();
-        let mut found =
-            Self { pieces, in_largest: nothing, mass: 0.0, largest_fragment: largest[0], fragments: count[0] as u64 };
-        let all = vec![true; found.pieces.len()];
-        (found.mass, found.in_largest) = found.largest_of(comm, &all, question);
+        let largest = bound::best(comm, &pieces, fragments().map(|i| (question.rank(&pieces[i]), i)));
+        let largest_fragment = counted(comm, &pieces, largest, question);
+        let free = free(comm, &pieces, question);
+        let fragments = count[0] as u64;
+        let mut found = Self { pieces, free, in_largest: Vec::new(), mass: 0.0, largest_fragment, fragments };
+        (found.mass, found.in_largest) = found.largest_of(comm, &found.free, question);
         found
     }
 
     /// Mass and members of the largest remnant among free pieces.
     fn largest_of(&self, comm: &Comm, free: &[bool], question: &Question) -> (f64, Vec<bool>) {
         if question.dimension == 3 {
-            let aggregate = bound::largest(comm, &self.pieces, free);
-            return (aggregate.mass, aggregate.members);
+            let members = bound::largest(comm, &self.pieces, free, &|piece| question.rank(piece)).members;
+            let mut sum = [ExactSum::new()];
+            let mine = self.pieces.iter().zip(&members).filter(|(_, member)| **member);
+            mine.for_each(|(piece, _)| sum[0].add(question.counted(piece)));
+            return (all_values(comm, &mut sum)[0], members);
         }
-        let figures = (0..free.len()).filter(|&i| free[i]).map(|i| (self.pieces[i].mass, i));
+        let figures = (0..free.len()).filter(|&i| free[i]).map(|i| (question.rank(&self.pieces[i]), i));
         let label = bound::best(comm, &self.pieces, figures);
         let members: Vec<bool> = self.pieces.iter().map(|piece| Some(piece.label) == label).collect();
-        let mut mass = [self.pieces.iter().filter(|p| Some(p.label) == label).fold(0.0, |_, piece| piece.mass)];
-        comm.all_max(&mut mass);
-        (mass[0], members)
+        (counted(comm, &self.pieces, label, question), members)
     }
+
+    /// Of the largest remnant. Collective.
+    fn particles(&self, comm: &Comm) -> u64 {
+        let members = self.pieces.iter().zip(&self.in_largest).filter(|(_, member)| **member);
+        let mut count = [members.map(|(piece, _)| piece.count as i64).sum()];
+        comm.all_sum(&mut count);
+        count[0] as u64
+    }
+}
+
+/// Which pieces may be part of a remnant: where others' matter is about, those that are at least half of what counts, and the one
+/// that holds most of the target's.
+fn free(comm: &Comm, pieces: &[Piece], question: &Question) -> Vec<bool> {
+    if !question.others {
+        return vec![true; pieces.len()];
+    }
+    let main = bound::best(comm, pieces, (0..pieces.len()).map(|i| (question.rank(&pieces[i]), i)));
+    pieces.iter().map(|piece| 2.0 * question.counted(piece) >= piece.mass || Some(piece.label) == main).collect()
+}
+
+/// What counts of the piece of that label, kg; zero where there is none. Collective.
+fn counted(comm: &Comm, pieces: &[Piece], label: Option<u64>, question: &Question) -> f64 {
+    let piece = pieces.iter().find(|piece| Some(piece.label) == label);
+    let mut mass = [piece.map_or(0.0, |piece| question.counted(piece))];
+    comm.all_max(&mut mass);
+    mass[0]
 }
 
 /// The values of exact sums over all ranks. Collective.

@@ -6,7 +6,7 @@ use bytemuck::{Pod, Zeroable};
 
 use super::distributions::{least_listed, rank_of};
 use super::fragments::{self, Link};
-use super::tally::{self, Scale};
+use super::tally::{self, NONE, Scale};
 use super::{LINK_DAMAGE, Particle, all_values};
 use crate::domain::comm::Comm;
 use crate::math::ExactSum;
@@ -49,10 +49,10 @@ pub struct LeftOut {
 /// The spheres, on rank 0 alone, and what is left out. Collective.
 pub fn spheres(comm: &Comm, particles: &[Particle], choice: &Choice) -> (Vec<Sphere>, LeftOut) {
     let scale = Scale::agree(comm, particles);
-    let total = tally::total(comm, &scale, particles.iter().copied());
+    let total = tally::total(comm, &scale, particles, NONE);
     let (centre, motion) = (total.position(&scale), total.velocity(&scale));
     let labels = fragments::labels(comm, particles, Link::Slow(LINK_DAMAGE));
-    let pieces = fragments::pieces(comm, &scale, particles, &labels);
+    let pieces = fragments::pieces(comm, &scale, (particles, &labels), NONE);
     let large = pieces.iter().filter(|piece| piece.count >= choice.smallest);
     let least = least_listed(comm, large.map(rank_of).collect(), choice.most);
     let mut sums = [const { ExactSum::new() }; 5];

@@ -1,5 +1,6 @@
 //! Exact sums per fragment: integers on a scale that all ranks agree on, so that it does not matter who adds what and when.
-//! A value is rounded once, to 2^-70 of the largest of its kind; 2^56 particles may be added up.
+//! A value is rounded once, to 2^-70 of the largest of its kind; 2^56 particles may be added up. Of two bodies that are asked about,
+//! what is theirs is summed apart.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -7,6 +8,8 @@ use super::Particle;
 use crate::domain::comm::Comm;
 use crate::math::Vec3;
 
+/// No body is asked about.
+pub const NONE: [usize; 2] = [usize::MAX; 2];
 /// Bits kept below the largest value.
 const BITS: i32 = 70;
 
@@ -31,16 +34,18 @@ impl Scale {
 #[repr(C)]
 pub struct Tally {
     pub count: u64,
-    /// Mass, volume, mass times position, momentum: 128-bit integers, low word first.
-    sums: [[u64; 2]; 8],
+    /// Mass, volume, mass times position, momentum, masses of the two bodies: 128-bit integers, low word first.
+    sums: [[u64; 2]; 10],
 }
 
 impl Tally {
     pub const WORDS: usize = std::mem::size_of::<Self>() / 8;
 
-    pub fn add(&mut self, scale: &Scale, p: &Particle) {
+    /// `bodies`: numbers of the two that are asked about.
+    pub fn add(&mut self, scale: &Scale, p: &Particle, bodies: [usize; 2]) {
         let (weighted, momentum) = (p.position * p.mass, p.velocity * p.mass);
-        let values = [p.mass, p.volume, weighted.x, weighted.y, weighted.z, momentum.x, momentum.y, momentum.z];
+        let [a, b] = bodies.map(|body| if p.body() == body { p.mass } else { 0.0 });
+        let values = [p.mass, p.volume, weighted.x, weighted.y, weighted.z, momentum.x, momentum.y, momentum.z, a, b];
         self.count += 1;
         for (k, value) in values.into_iter().enumerate() {
             let unit = scale.0[unit_of(k)];
@@ -50,7 +55,7 @@ impl Tally {
 
     pub fn merge(&mut self, other: &Self) {
         self.count += other.count;
-        for k in 0..8 {
+        for k in 0..self.sums.len() {
             self.put(k, self.at(k) + other.at(k));
         }
     }
@@ -58,6 +63,11 @@ impl Tally {
     /// kg.
     pub fn mass(&self, scale: &Scale) -> f64 {
         self.value(scale, 0)
+    }
+
+    /// Of each of the two bodies that were asked about, kg.
+    pub fn masses(&self, scale: &Scale) -> [f64; 2] {
+        [8, 9].map(|k| self.value(scale, k))
     }
 
     /// At the density the bodies started with, m^3 (m^2 in 2D).
@@ -91,13 +101,13 @@ impl Tally {
 
 /// The unit of sum `k`.
 fn unit_of(k: usize) -> usize {
-    [0, 1, 2, 2, 2, 3, 3, 3][k]
+    [0, 1, 2, 2, 2, 3, 3, 3, 0, 0][k]
 }
 
 /// Sums over particles of all ranks, exactly. Collective.
-pub fn total(comm: &Comm, scale: &Scale, particles: impl Iterator<Item = Particle>) -> Tally {
+pub fn total(comm: &Comm, scale: &Scale, particles: &[Particle], bodies: [usize; 2]) -> Tally {
     let mut mine = Tally::default();
-    particles.for_each(|p| mine.add(scale, &p));
+    particles.iter().for_each(|p| mine.add(scale, p, bodies));
     let all = comm.all_gather(&[mine]);
     let mut sum = Tally::default();
     all.iter().for_each(|tally| sum.merge(tally));
@@ -120,7 +130,7 @@ mod tests {
         let scale = Scale([1 - BITS, -BITS, 18 - BITS, 18 - BITS]);
         let sum = |order: &[Particle]| {
             let mut t = Tally::default();
-            order.iter().for_each(|p| t.add(&scale, p));
+            order.iter().for_each(|p| t.add(&scale, p, [0, 1]));
             t
         };
         let forward = sum(&particles);
@@ -129,6 +139,7 @@ mod tests {
         assert_eq!(forward, halves);
         let mass: f64 = particles.iter().map(|p| p.mass).sum();
         assert!((forward.mass(&scale) / mass - 1.0).abs() < 1e-15);
+        assert_eq!(forward.masses(&scale), [forward.mass(&scale), 0.0]);
         assert!((forward.velocity(&scale).z - 3.0).abs() < 1e-14);
         assert!((forward.position(&scale).x + forward.velocity(&scale).x).abs() < 1e-9);
     }

@@ -9,6 +9,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use super::{agree, publish};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
+use crate::warning::Warning;
 
 /// Names with values, in the order in which they were given.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -48,6 +49,22 @@ fn number<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<f64
     Option::deserialize(deserializer).map(|number| number.unwrap_or(f64::NAN))
 }
 
+/// Names of bodies with figures of each.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Remnants(pub Vec<(String, Figures)>);
+
+impl Remnants {
+    fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+impl Serialize for Remnants {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, figures)| (name, figures)))
+    }
+}
+
 /// A run in figures. Numbers that are not finite are written as null.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
@@ -77,6 +94,9 @@ pub struct Summary {
     /// Largest |E - E0| over the run, over the initial kinetic energy in the centre-of-mass frame.
     #[serde(deserialize_with = "number")]
     pub energy_drift: f64,
+    /// The same over the kinetic energy in that frame at the end; not a number where less than 1e-3 of the scale above is left.
+    #[serde(default = "nan", deserialize_with = "number")]
+    pub energy_drift_over_left: f64,
     /// Over sum m |v|.
     #[serde(deserialize_with = "number")]
     pub momentum_drift: f64,
@@ -102,6 +122,9 @@ pub struct Summary {
     pub late_stage: Option<Figures>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outcome: Option<Figures>,
+    /// Of an impact's bodies: shares of their own matter.
+    #[serde(default, skip_serializing_if = "Remnants::is_empty")]
+    pub remnants: Remnants,
     /// What was handed on to an N-body program.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub nbody: Option<Figures>,
@@ -110,6 +133,9 @@ pub struct Summary {
     pub threshold: Option<Threshold>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<Accuracy>,
+    /// What to know before trusting the rest.
+    #[serde(default)]
+    pub warnings: Vec<Warning>,
 }
 
 /// A setting that was chosen for the accuracy that was asked for, by a study of the scene.
@@ -136,11 +162,11 @@ pub struct Accuracy {
 pub struct Threshold {
     pub q_star_d: f64,
     pub q_star_rd: f64,
-    /// Of Q*_D: half the bracket, residual of the fit, shift between the two times of evaluation and scatter between
-    /// realisations, combined.
+    /// Of Q*_D: half the bracket, residual of the fit, shift between the two times of evaluation, scatter between
+    /// realisations and drift of energy where an impact warns of it, combined.
     pub uncertainty: f64,
     pub uncertainty_of_q_star_rd: f64,
-    /// Parts of the uncertainty of Q*_D: bracket, residual, shift, scatter.
+    /// Parts of the uncertainty of Q*_D: bracket, residual, shift, scatter, drift.
     pub uncertainty_parts: Figures,
     /// Slope s of M_lr / M_T = 1/2 - s (Q / Q*_D - 1).
     pub slope: f64,

@@ -19,6 +19,7 @@ mod materials;
 pub mod nbody;
 pub mod numerics;
 mod raw;
+mod resolution;
 pub mod settings;
 pub mod shape;
 mod slab;

@@ -8,7 +8,8 @@ use super::resources;
 use super::run::Run;
 use super::state::Spent;
 use crate::error::{Error, Result};
-use crate::outcome::{self, Evaluation, Particle, Question};
+use crate::outcome::vapour::Vapour;
+use crate::outcome::{self, Evaluation, Particle, Question, origin};
 use crate::output::{Cell, CheckpointMeta, Snapshot, Storage, checkpoint, snapshot};
 use crate::scene::Precision;
 use crate::step::phases::Phase;
@@ -30,27 +31,44 @@ impl<const D: usize> Run<'_, D> {
     /// This rank's, as outcomes see them.
     pub(super) fn particles(&self) -> Vec<Particle> {
         let (columns, settings) = (&self.stepper.columns, &self.stepper.settings);
-        let damage = |i, body| settings.packer.damage(columns, i, body);
+        let materials = self.scene.bodies.iter().map(|body| &self.scene.materials[body.material]);
+        let vapour = Vapour::new(&columns.registry, &settings.core, materials);
+        let damage = |i, body| vapour.damage(columns, (i, body), settings.packer.damage(columns, i, body));
         outcome::particles(columns, &settings.core, &settings.constants, damage)
     }
 
     pub(super) fn evaluate_outcome(&mut self) -> Evaluation {
+        self.note_packing();
         let start = Instant::now();
         self.stepper.rest();
         resources::give_memory_back();
-        let particles = self.particles();
-        let target = self.scene.impact.as_ref().map_or(0, |impact| impact.target);
-        let question = Question { dimension: D, target_mass: self.scene.bodies[target].mass() };
-        let evaluation = outcome::evaluate(self.comm, &particles, &question);
+        let evaluation = outcome::evaluate(self.comm, &self.particles(), &self.question());
         self.stepper.phases.add(Phase::Outcome, start);
         evaluation
+    }
+
+    fn question(&self) -> Question {
+        let [target, projectile] = self.scene.impact.as_ref().map_or([0, 1], |i| [i.target, i.projectile]);
+        let target_mass = self.scene.bodies[target].mass();
+        Question { dimension: D, target_mass, bodies: [target, projectile], others: self.scene.bodies.len() > 2 }
+    }
+
+    /// Looks whether density is mass over volume, unless nothing has moved since the last look. Collective.
+    pub(super) fn note_packing(&mut self) {
+        let now = self.stepper.packing();
+        if now.iter().any(|body| body.told() > 0) {
+            self.packing = now;
+        }
     }
 
     /// The outcome that counts, with its files. Collective.
     pub(super) fn take_outcome(&mut self) -> Result<()> {
         self.state.outcome_time = self.state.time;
         if !self.scene.hits_ground() {
-            let evaluation = self.evaluate_outcome();
+            let mut evaluation = self.evaluate_outcome();
+            let masses: Vec<f64> = self.scene.bodies.iter().map(|body| body.mass()).collect();
+            let asked = (&evaluation, &self.question());
+            evaluation.outcome.bodies = origin::by_body(self.comm, &self.particles(), asked, &masses);
             report::write_distributions(&evaluation, D, &self.options.directory, self.comm)?;
             self.state.outcome = Some(evaluation.outcome);
         }

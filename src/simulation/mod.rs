@@ -21,6 +21,7 @@ pub mod run;
 pub mod setup;
 pub mod signals;
 pub mod state;
+pub mod warnings;
 
 pub use require::require;
 pub use run::{Ended, Options, RunReport, run};

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::state::{RunState, Spent};
-use super::{ground, late, resources};
+use super::{ground, late, resources, warnings};
 use crate::domain::comm::Comm;
 use crate::error::Result;
 use crate::material::MaterialEffect;
@@ -14,12 +14,14 @@ use crate::outcome::{Evaluation, Outcome};
 use crate::output::figures::cut::{self, Picture};
 use crate::output::figures::raster::Plane;
 use crate::output::publish::replace_text;
-use crate::output::summary::{Accuracy, Figures};
+use crate::output::summary::{Accuracy, Figures, Remnants};
 use crate::output::{Cell, Summary, agree, state_hash};
 use crate::scene::Scene;
+use crate::step::packing::Packing;
 use crate::step::phases::{NAMES, Phase};
 use crate::step::time_step::Limit;
 use crate::step::{Stepper, Totals};
+use crate::warning;
 
 /// Names and units of history.csv.
 pub fn history_columns(effects: &[Box<dyn MaterialEffect>], prescribed: bool, scene: &Scene) -> Vec<(String, String)> {
@@ -140,6 +142,8 @@ pub struct Report<'a, 'c, const D: usize> {
     pub state: &'a RunState,
     pub totals: &'a Totals,
     pub later: Option<&'a Outcome>,
+    /// Of each body, when it was last looked at.
+    pub packing: &'a [Packing],
     pub spent: Spent,
     /// Against the exact solution that the scene names.
     pub errors: Figures,
@@ -168,7 +172,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
     let spent = &report.spent;
     let core_seconds = spent.cpu.max(1e-9);
     let conservation = &state.conservation;
-    Summary {
+    let mut summary = Summary {
         title: report.scene.title.clone(),
         version: env!("CARGO_PKG_VERSION").to_string(),
         state_hash: state_hash(&stepper.columns, stepper.settings.core.id, comm),
@@ -185,6 +189,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         bytes_per_particle: memory / particles,
         list_bytes_per_particle: list / particles,
         energy_drift: conservation.energy_drift(),
+        energy_drift_over_left: conservation.energy_drift_over_left(report.totals.kinetic_in_centre_of_mass()),
         momentum_drift: conservation.momentum,
         angular_momentum_drift: match turns_freely(report.scene, stepper) {
             true => conservation.angular_momentum,
@@ -201,10 +206,31 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         errors: report.errors.clone(),
         late_stage: state.late.as_ref().map(|start| late::figures(start, conservation.energy_scale)),
         outcome: state.has_outcome().then(|| outcome_figures(report)),
+        remnants: state.outcome.as_ref().map_or(Remnants::default(), |outcome| remnants(outcome, report.scene)),
         nbody: report.nbody.clone(),
         threshold: None,
         accuracy: report.accuracy.cloned(),
-    }
+        warnings: warnings::of_scene(report.scene),
+    };
+    let found = warnings::of_run(report, &summary);
+    summary.warnings.extend(found);
+    summary
+}
+
+/// What became of each body.
+fn remnants(outcome: &Outcome, scene: &Scene) -> Remnants {
+    let named = |name: &str, value: f64| (name.to_string(), value);
+    let bodies = outcome.bodies.iter().map(|origin| {
+        let body = &scene.bodies[origin.body];
+        let figures = Figures(vec![
+            named("mass", body.mass()),
+            named("remnant_fraction", origin.remnant),
+            named("fragment_fraction", origin.fragment),
+            named("in_largest_remnant_fraction", origin.in_largest_remnant),
+        ]);
+        (body.name.clone(), figures)
+    });
+    Remnants(bodies.collect())
 }
 
 /// Share of each phase in the time of all ranks. Collective.
@@ -259,6 +285,7 @@ fn remnant_figures(outcome: &Outcome, later: Option<&Outcome>) -> Vec<(String, f
     let mut figures = vec![
         named("largest_remnant_fraction", outcome.largest_remnant_fraction),
         named("largest_remnant_of_total", outcome.largest_remnant_of_total),
+        named("largest_remnant_particles", outcome.largest_remnant_particles as f64),
         named("largest_remnant_fraction_strict", outcome.strict.largest_remnant_fraction),
         named("largest_fragment_fraction", outcome.largest_fragment_fraction),
         named("largest_fragment_fraction_strict", outcome.strict.largest_fragment_fraction),
@@ -308,8 +335,8 @@ pub fn sound_speed(scene: &Scene, body: usize) -> f64 {
     (bulk * bulk + 4.0 / 3.0 * shear / density).sqrt()
 }
 
-/// The end of a run on the terminal, rank 0.
-pub fn print(summary: &Summary, crater: Option<&Crater>, directory: &Path) {
+/// The end of a run on the terminal, rank 0; the first `said` warnings were said before.
+pub fn print(summary: &Summary, (crater, said): (Option<&Crater>, usize), directory: &Path, is_root: bool) {
     let phase = |phase: Phase| 100.0 * summary.phases.0[phase as usize].1;
     let turning = match summary.angular_momentum_drift {
         drift if drift.is_finite() => format!(", angular momentum {drift:.1e}"),
@@ -358,7 +385,8 @@ pub fn print(summary: &Summary, crater: Option<&Crater>, directory: &Path) {
             of("fragments")
         );
     }
-    tracing::info!("written to {}", directory.display());
+    warning::say(&summary.warnings[said..], is_root);
+    tracing::info!("written to {}{}", directory.display(), warning::in_short(&summary.warnings));
 }
 
 #[cfg(test)]

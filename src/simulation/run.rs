@@ -16,6 +16,7 @@ use super::restart;
 use super::setup;
 use super::signals;
 use super::state::{Conservation, End, RunState, Spent};
+use super::warnings;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::material::porosity::DISTENTION;
@@ -25,8 +26,10 @@ use crate::output::summary::{Accuracy, Figures};
 use crate::output::{History, Summary, agree, checkpoint};
 use crate::particles::ParticleId;
 use crate::scene::{Scene, Until};
+use crate::step::packing::Packing;
 use crate::step::time_step::Limit;
 use crate::step::{Failure, Stepper, Totals};
+use crate::warning;
 
 /// How a run is to be done; the scene says what.
 #[derive(Debug, Clone)]
@@ -89,6 +92,8 @@ pub(super) struct Run<'a, const D: usize> {
     pub(super) saved: Instant,
     pub(super) fault: Fault,
     pub(super) comparison: Option<Comparison>,
+    /// Whether density is mass over volume, at the last look.
+    pub(super) packing: Vec<Packing>,
     /// What failed on this rank alone.
     pub(super) failed: Option<Error>,
     /// The step at which the run is to stop before its end.
@@ -109,9 +114,7 @@ impl<'a, const D: usize> Run<'a, D> {
         if let Some(choice) = &options.accuracy {
             tracing::info!("{choice}");
         }
-        if comm.is_root() {
-            scene.warnings().iter().for_each(|warning| tracing::warn!("{warning}"));
-        }
+        warning::say(&warnings::of_scene(scene), comm.is_root());
         let comparison = Comparison::new(scene)?;
         let fit =
             |plan: &setup::Plan| Footprint::new(scene, plan, comm.size()).require(comm).map_err(|e| e.at(scene.path()));
@@ -178,6 +181,7 @@ impl<'a, const D: usize> Run<'a, D> {
             saved,
             fault,
             comparison,
+            packing: Vec::new(),
             failed: None,
             last: None,
             collapse: Collapse::default(),
@@ -405,6 +409,7 @@ impl<'a, const D: usize> Run<'a, D> {
         if again.is_none() && self.state.counters.steps % self.scene.output.history_every != 0 {
             self.note_totals()?;
         }
+        self.note_packing();
         let at_end = again.as_ref().map_or(!self.state.has_outcome(), |end| end.has_outcome);
         let mut later = None;
         match self.scene.impact.is_some() {
@@ -434,6 +439,7 @@ impl<'a, const D: usize> Run<'a, D> {
             state: &self.state,
             totals: &self.totals,
             later: later.as_ref(),
+            packing: &self.packing,
             spent,
             errors,
             nbody,
@@ -443,7 +449,9 @@ impl<'a, const D: usize> Run<'a, D> {
         });
         if ended == Ended::Finished {
             summary.write(&self.options.directory.join("summary.json"), self.comm)?;
-            report::print(&summary, self.state.crater.as_ref(), &self.options.directory);
+            let said = warnings::of_scene(self.scene).len();
+            let crater = self.state.crater.as_ref();
+            report::print(&summary, (crater, said), &self.options.directory, self.comm.is_root());
         }
         Ok(RunReport { ended, summary, outcome: self.state.outcome, later })
     }

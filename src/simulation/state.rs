@@ -10,6 +10,9 @@ use crate::outcome::settled::Settled;
 use crate::step::late::Switch;
 use crate::step::{Counters, Totals};
 
+/// Motion is spent where less than this share of the scale of energy is left of it.
+const SPENT: f64 = 1e-3;
+
 /// Largest deviations of conserved quantities so far. What walls, pistons and uniform gravity do is counted: energy stands for
 /// energy less their work, momentum for momentum less theirs.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
@@ -29,6 +32,9 @@ pub struct Conservation {
     pub momentum: f64,
     /// Largest |L - L0| over sum m |x| |v|; says something in open space without prescribed motion only.
     pub angular_momentum: f64,
+    /// Largest |L - L0|, kg m^2/s.
+    #[serde(default)]
+    pub turn: f64,
 }
 
 impl Conservation {
@@ -54,16 +60,28 @@ impl Conservation {
         self.energy = self.energy.max((now.balance() - self.initial_energy).abs());
         let momentum = share(off(now.momentum_balance(time).into(), &self.initial_momentum), now.momentum_scale);
         self.momentum = self.momentum.max(momentum);
-        let angular = share(off(now.angular_momentum.into(), &self.initial_angular_momentum), now.angular_scale);
-        self.angular_momentum = self.angular_momentum.max(angular);
+        let turn = off(now.angular_momentum.into(), &self.initial_angular_momentum);
+        self.turn = self.turn.max(turn);
+        self.angular_momentum = self.angular_momentum.max(share(turn, now.angular_scale));
         // In a uniform field the zero of energy is arbitrary.
         let own = if now.weight == Vec3::zeros() { now.potential.unwrap_or(0.0).abs() } else { 0.0 };
         self.largest_energy = self.largest_energy.max(now.kinetic + now.internal + own);
     }
 
+    /// What drifts of energy are measured by, J.
+    pub fn energy_scale(&self) -> f64 {
+        if self.energy_scale > 0.0 { self.energy_scale } else { self.largest_energy }
+    }
+
     pub fn energy_drift(&self) -> f64 {
-        let scale = if self.energy_scale > 0.0 { self.energy_scale } else { self.largest_energy };
+        let scale = self.energy_scale();
         if scale > 0.0 { self.energy / scale } else { self.energy }
+    }
+
+    /// The same change over the kinetic energy in the centre-of-mass frame that is left, J; not a number where that is next to
+    /// nothing, as in matter that has come to rest.
+    pub fn energy_drift_over_left(&self, left: f64) -> f64 {
+        if left > SPENT * self.energy_scale() { self.energy / left } else { f64::NAN }
     }
 }
 

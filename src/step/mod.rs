@@ -7,6 +7,7 @@ pub mod integrator;
 pub mod late;
 pub mod neighbourhood;
 pub mod pack;
+pub mod packing;
 pub mod phases;
 pub mod stepper;
 pub mod time_step;

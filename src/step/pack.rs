@@ -28,6 +28,8 @@ pub struct Packer {
     epsilon: f64,
     /// Spacing over smoothing length, to the power of the dimension, times two: V_max / h^d.
     most_volume: f64,
+    /// Smoothing length over spacing.
+    eta: f64,
 }
 
 /// Columns of the second moment M of each neighbourhood.
@@ -110,7 +112,13 @@ impl Packer {
             bodies: settings.bodies,
             epsilon: settings.artificial_stress_factor,
             most_volume: 2.0 / settings.eta.powi(dimension as i32),
+            eta: settings.eta,
         }
+    }
+
+    /// Smoothing length over spacing, as the scene has it.
+    pub fn eta(&self) -> f64 {
+        self.eta
     }
 
     /// Smoothing length of particle `i` of `body`, m.

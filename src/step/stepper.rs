@@ -170,6 +170,14 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.resting = true;
     }
 
+    /// What the last evaluation read; none where it was given back.
+    pub(super) fn rows(&self) -> Option<Rows<'_>> {
+        let list = &self.neighbourhood.list;
+        let slots = &self.neighbourhood.local().slot_of_owned;
+        let records = bytemuck::cast_slice(&self.records);
+        (!self.resting).then_some(Rows { records, offsets: &list.offsets, entries: &list.entries, slots })
+    }
+
     /// Conserved quantities; collective.
     pub fn totals(&mut self) -> Totals {
         let start = Instant::now();

@@ -11,6 +11,7 @@ use super::points::{Study, understood};
 use super::record::Record;
 use super::settings::Change;
 use super::thresholds;
+use crate::warning::{self, Warning};
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Analysis {
@@ -64,6 +65,8 @@ pub struct Found {
     pub on_front_of_core_seconds: bool,
     pub on_front_of_pairs: bool,
     pub state_hash: String,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<Warning>,
 }
 
 /// A setting over all its resolutions.
@@ -129,6 +132,11 @@ impl Found {
 }
 
 impl Analysis {
+    /// Of all points, each kind once.
+    pub fn warnings(&self) -> Vec<Warning> {
+        warning::merged("point", self.points.iter().map(|point| (point.number, point.warnings.as_slice())))
+    }
+
     pub fn new(study: &Study, records: &[Option<Record>]) -> Self {
         let measure = &study.settings.measure;
         let figure = |k: usize, name: &str| records[k].as_ref().and_then(|record| record.figure(name));
@@ -156,6 +164,7 @@ impl Analysis {
             on_front_of_core_seconds: false,
             on_front_of_pairs: false,
             state_hash: records[k].as_ref().map_or(String::new(), |record| record.state_hash.clone()),
+            warnings: records[k].as_ref().map_or(Vec::new(), |record| record.warnings.clone()),
         });
         let first = &study.points[0];
         let mut found = Self {

@@ -7,6 +7,8 @@ use crate::campaigns::cost::{self, Price};
 use crate::campaigns::text::{aligned, duration, number, words};
 use crate::domain::comm::Comm;
 use crate::error::Result;
+use crate::simulation::warnings;
+use crate::warning::{self, Warning};
 
 /// Every point's number, spacing and setting; one line each.
 pub fn list(study: &Study) -> String {
@@ -54,7 +56,9 @@ pub fn check(study: &Study, ranks: usize, network: Option<(f64, f64)>, comm: &Co
         duration(sum[2])
     );
     text += "core-seconds are without waits of ranks for each other and without output\n";
-    Ok(text)
+    let found: Vec<Vec<Warning>> = study.points.iter().map(|point| warnings::of_scene(&point.scene)).collect();
+    let all = warning::merged("point", study.points.iter().map(|p| p.number).zip(found.iter().map(Vec::as_slice)));
+    Ok(text + &cost::warned(&all))
 }
 
 fn row(names: &[&str], spacing: f64, price: &Price) -> Vec<String> {

@@ -11,6 +11,7 @@ use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::output::publish::replace_text;
 use crate::output::{Summary, agree};
+use crate::warning::Warning;
 
 /// What came of a point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -22,6 +23,8 @@ pub struct Record {
     pub state_hash: String,
     /// Every number of its summary, by dotted keys.
     pub figures: Vec<(String, f64)>,
+    #[serde(default)]
+    pub warnings: Vec<Warning>,
 }
 
 impl Record {
@@ -33,8 +36,12 @@ impl Record {
                 failed: String::new(),
                 state_hash: summary.state_hash.clone(),
                 figures: figures(summary),
+                warnings: summary.warnings.clone(),
             },
-            Err(error) => Self { identity, failed: error.to_string(), state_hash: String::new(), figures: Vec::new() },
+            Err(error) => {
+                let failed = error.to_string();
+                Self { identity, failed, state_hash: String::new(), figures: Vec::new(), warnings: Vec::new() }
+            }
         }
     }
 

@@ -9,6 +9,7 @@ use super::thresholds;
 use crate::error::{Error, Result};
 use crate::output::figures::trade_off::{Curve, TradeOff};
 use crate::output::publish::replace_text;
+use crate::warning;
 
 /// All files, for one rank.
 pub fn write(analysis: &Analysis, directory: &Path) -> Result<()> {
@@ -35,7 +36,7 @@ fn converges(setting: &Setting) -> bool {
 }
 
 /// Rank 0 speaks.
-pub fn print(analysis: &Analysis, directory: &Path) {
+pub fn print(analysis: &Analysis, directory: &Path, is_root: bool) {
     for setting in analysis.settings.iter().filter(|setting| converges(setting)) {
         tracing::info!("{}: {}", setting.name, convergence(setting));
     }
@@ -46,14 +47,16 @@ pub fn print(analysis: &Analysis, directory: &Path) {
     if failed > 0 {
         tracing::info!("{failed} of {} points have no result; study.md says why", analysis.points.len());
     }
-    tracing::info!("written to {}", directory.display());
+    let warnings = analysis.warnings();
+    warning::say(&warnings, is_root);
+    tracing::info!("written to {}{}", directory.display(), warning::in_short(&warnings));
 }
 
 /// One row a point, every number in full.
 fn table(analysis: &Analysis) -> String {
     let mut text = String::from(
         "point,setting,spacing,particles,steps,figure,error,core_seconds,pair_interactions,wall_seconds,\
-         front_core_seconds,front_pairs,settings,failed\n",
+         front_core_seconds,front_pairs,settings,failed,warnings\n",
     );
     let number = |value: Option<f64>| value.map_or(String::new(), |x| format!("{x:e}"));
     let whole = |value: Option<f64>| value.map_or(String::new(), |x| format!("{x}"));
@@ -74,6 +77,7 @@ fn table(analysis: &Analysis) -> String {
             (p.on_front_of_pairs as u8).to_string(),
             quoted(&p.overrides.join("; ")),
             quoted(&p.failed),
+            quoted(&warning::kinds(&p.warnings).join("; ")),
         ];
         text += &(cells.join(",") + "\n");
     }
@@ -121,6 +125,9 @@ fn page(analysis: &Analysis) -> String {
     if floor > 0.0 {
         let _ =
             writeln!(text, "\nThe value itself is uncertain by {}: errors below that tell nothing.", percent(floor));
+    }
+    for warning in analysis.warnings() {
+        let _ = writeln!(text, "\nWarning ({}): {}", warning.kind, warning.text);
     }
     text
 }

@@ -52,7 +52,7 @@ pub fn run(study: &Study, part: Part, options: &Options, comm: &Comm) -> Result<
         Part::Collect => sweep.check_figure()?,
     }
     sweep.log_here()?;
-    report::print(&sweep.report()?, &options.directory);
+    report::print(&sweep.report()?, &options.directory, comm.is_root());
     Ok(Ended::Finished)
 }
 

@@ -1,0 +1,68 @@
+//! What became of each body: shares of its own matter, whatever it lies with. A fragment or an aggregate is a body's by the share of
+//! that body's matter that it holds; what came together of several bodies is told under each.
+
+use serde::{Deserialize, Serialize};
+
+use super::tally::Scale;
+use super::{Evaluation, LINK_DAMAGE, Particle, Piece, Question, Remnants, all_values, bound, counted, fragments};
+use crate::domain::comm::Comm;
+use crate::math::ExactSum;
+
+/// Bodies beside target and projectile that are told; each costs a search.
+const MOST_OTHERS: usize = 8;
+
+/// Shares of a body's own matter.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Origin {
+    /// Its number.
+    pub body: usize,
+    /// In the largest remnant of the impact.
+    pub in_largest_remnant: f64,
+    /// In the aggregate that holds most of it; in 2D in the piece.
+    pub remnant: f64,
+    /// In the intact fragment that holds most of it.
+    pub fragment: f64,
+}
+
+/// What became of target, projectile and the first others of the scene; `masses` of all its bodies, kg. Collective.
+pub fn by_body(
+    comm: &Comm,
+    particles: &[Particle],
+    (evaluation, question): (&Evaluation, &Question),
+    masses: &[f64],
+) -> Vec<Origin> {
+    let others = (0..masses.len()).filter(|body| !question.bodies.contains(body)).take(MOST_OTHERS);
+    let mut bodies: Vec<usize> = question.bodies.iter().copied().chain(others).collect();
+    bodies.sort_unstable();
+    let labels = fragments::labels(comm, particles, fragments::Link::Intact(LINK_DAMAGE));
+    let scale = Scale::agree(comm, particles);
+    let tell = |&body: &usize| {
+        // The body alone is asked about.
+        let alone = Question { bodies: [body, usize::MAX], others: true, target_mass: masses[body], ..*question };
+        let pieces = fragments::pieces(comm, &scale, (particles, &labels), alone.bodies);
+        tell(comm, pieces, evaluation, &alone)
+    };
+    bodies.iter().map(tell).collect()
+}
+
+/// `pieces`: those of the evaluation, in the same order, with the matter of one body told apart.
+fn tell(comm: &Comm, pieces: Vec<Piece>, evaluation: &Evaluation, alone: &Question) -> Origin {
+    let held = |members: &[bool]| {
+        let mut sum = [ExactSum::new()];
+        pieces.iter().zip(members).filter(|(_, member)| **member).for_each(|(piece, _)| sum[0].add(piece.of[0]));
+        all_values(comm, &mut sum)[0]
+    };
+    let fragments = (0..pieces.len()).filter(|&i| pieces[i].count > 1 && pieces[i].of[0] > 0.0);
+    let fragment = bound::best(comm, &pieces, fragments.map(|i| (pieces[i].of[0], i)));
+    let fragment = counted(comm, &pieces, fragment, alone);
+    let (all, in_largest) = (held(&vec![true; pieces.len()]), held(&evaluation.in_largest));
+    // What holds more than half of it holds most of it.
+    let remnant = if in_largest > 0.5 * all { in_largest } else { Remnants::among(comm, pieces, alone).mass };
+    let share = |mass: f64| mass / alone.target_mass;
+    Origin {
+        body: alone.bodies[0],
+        in_largest_remnant: share(in_largest),
+        remnant: share(remnant.max(in_largest)),
+        fragment: share(fragment),
+    }
+}

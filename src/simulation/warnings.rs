@@ -1,0 +1,179 @@
+//! What a run warns about: the numbers of its scene before it starts, and what it has done to energy, angular momentum and density by
+//! its end. Every kind of warning goes through here.
+
+use super::report::Report;
+use crate::math::Vec3;
+use crate::outcome::Outcome;
+use crate::output::Summary;
+use crate::scene::{Body, Scene};
+use crate::step::packing::{FACTOR, Packing};
+use crate::warning::Warning;
+
+/// Largest drift of energy over the initial kinetic energy, and over what is left of it.
+const ENERGY: f64 = 1e-3;
+const ENERGY_OVER_LEFT: f64 = 1e-2;
+/// Of the sum of internal energy below zero, over the same.
+const BELOW_ZERO: f64 = 1e-3;
+/// Of angular momentum over sum m |x| |v|.
+const ANGULAR_MOMENTUM: f64 = 1e-2;
+/// The least change of it that counts, over R sqrt(2 E M): what all matter has on circles of the scene's size, with the energy that
+/// drifts are measured by. In matter at rest sum m |x| |v| is noise, and so is what drifts (6e-6 of this in balls at rest).
+const TURNING: f64 = 1e-4;
+/// Share of a body's particles whose density may be off, and how many must be such that it can be told. In good runs, shocks and
+/// spray included, 98 % lie within 0.88 and 1.14; of rubble whose voids are a spacing wide 5 % below 0.67.
+const OFF: f64 = 0.1;
+const LEAST_TOLD: u64 = 20;
+/// Least particles of a remnant in 2D and 3D: about two thirds of so many lie at its surface.
+const FEW: [u64; 2] = [25, 100];
+
+/// What can be said before anything runs.
+pub fn of_scene(scene: &Scene) -> Vec<Warning> {
+    let units = scene.warnings().into_iter().map(|text| Warning::new("units", text));
+    units.chain(scene.unresolved()).collect()
+}
+
+/// What can be said once it has run; `summary`: its figures.
+pub fn of_run<const D: usize>(report: &Report<D>, summary: &Summary) -> Vec<Warning> {
+    let outcome = report.state.outcome.as_ref();
+    let scale = report.state.conservation.energy_scale();
+    [
+        energy(summary),
+        below_zero(report.totals.internal, scale),
+        angular_momentum(summary, report.state.conservation.turn / circling(report.scene, report.totals.mass, scale)),
+        density(report.scene, report.packing),
+        outcome.and_then(|outcome| few_particles(outcome, D)),
+        outcome.and_then(|outcome| other_remnant(outcome, report.scene)),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+fn energy(summary: &Summary) -> Option<Warning> {
+    let (all, left) = (summary.energy_drift, summary.energy_drift_over_left);
+    if all <= ENERGY && (left.is_nan() || left <= ENERGY_OVER_LEFT) {
+        return None;
+    }
+    let left = if left.is_nan() { String::new() } else { format!(", {left:.1e} of the kinetic energy that is left") };
+    Some(Warning::new(
+        "energy",
+        format!(
+            "total energy has drifted by {all:.1e} of the initial kinetic energy{left}: what moved slowly at the end may owe it to that \
+             (change: spacings of the bodies more alike, more particles, numerics.cfl; history.csv says when it grew)"
+        ),
+    ))
+}
+
+fn below_zero(internal: f64, scale: f64) -> Option<Warning> {
+    (internal < -BELOW_ZERO * scale).then(|| {
+        let text = format!(
+            "the sum of internal energies is {internal:.2e} J, below zero by {:.1e} of the initial kinetic energy: motion has been \
+             taken out of heat that was not there (change: numerics.angular_momentum, numerics.cfl, more particles)",
+            -internal / scale
+        );
+        Warning::new("internal_energy", text)
+    })
+}
+
+/// R sqrt(2 E M), kg m^2/s, with R the reach of the scene's bodies from the origin.
+fn circling(scene: &Scene, mass: f64, energy: f64) -> f64 {
+    let reach = |body: &Body| Vec3::from(body.centre).norm() + body.shape.outer_radius();
+    scene.bodies.iter().map(reach).fold(0.0, f64::max) * (2.0 * energy * mass).sqrt()
+}
+
+/// `turn`: the largest change over that of [`circling`].
+fn angular_momentum(summary: &Summary, turn: f64) -> Option<Warning> {
+    let drift = summary.angular_momentum_drift;
+    (drift > ANGULAR_MOMENTUM && turn > TURNING).then(|| {
+        let text = format!(
+            "angular momentum has drifted by {drift:.1e} of sum m |x| |v|: bodies turn by themselves (change: \
+             numerics.angular_momentum = true)"
+        );
+        Warning::new("angular_momentum", text)
+    })
+}
+
+/// Of the body in which most is off.
+fn density(scene: &Scene, packing: &[Packing]) -> Option<Warning> {
+    let share = |p: &Packing| p.off() as f64 / p.told() as f64;
+    let known = packing.iter().enumerate().filter(|(_, p)| p.told() >= LEAST_TOLD && share(p) > OFF);
+    let (body, worst) = known.max_by(|a, b| share(a.1).total_cmp(&share(b.1)))?;
+    let text = format!(
+        "in `{}` density is not mass over volume: of {} particles inside matter {} lie denser than their density says by a factor of \
+         {FACTOR}, {} less dense; {} beside it are pressed together by nothing (change: numerics.corrected_gradient, \
+         numerics.density_contrast, spacings more alike)",
+        scene.bodies[body].name, worst.inside, worst.crowded, worst.sparse, worst.alone
+    );
+    Some(Warning::new("density", text))
+}
+
+fn few_particles(outcome: &Outcome, dimension: usize) -> Option<Warning> {
+    let (found, least) = (outcome.largest_remnant_particles, FEW[dimension - 2]);
+    // Records of earlier versions do not tell.
+    (found > 0 && found < least).then(|| {
+        let text = format!(
+            "the largest remnant, {:.3} of the target, is of {found} particles, fewer than {least}: its mass is the spacing's as much as \
+             the impact's (change: more particles of the target)",
+            outcome.largest_remnant_fraction
+        );
+        Warning::new("few_particles", text)
+    })
+}
+
+/// Where there are just two bodies the largest remnant may be the projectile.
+fn other_remnant(outcome: &Outcome, scene: &Scene) -> Option<Warning> {
+    let impact = scene.impact.as_ref()?;
+    let origin = |body: usize| outcome.bodies.iter().find(|origin| origin.body == body);
+    let (target, projectile) = (origin(impact.target)?, origin(impact.projectile)?);
+    let mass = |body: usize| scene.bodies[body].mass();
+    let own = target.in_largest_remnant * mass(impact.target);
+    (own < projectile.in_largest_remnant * mass(impact.projectile)).then(|| {
+        let (target, name) = (target.remnant, &scene.bodies[impact.projectile].name);
+        let text = format!(
+            "the largest remnant is mostly of `{name}`, and {target:.3} of the target's own matter lies together (see `remnants` in \
+             summary.json; change: the larger body as impact.target)"
+        );
+        Warning::new("remnant", text)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn kind(warning: Option<Warning>) -> String {
+        warning.map_or(String::new(), |warning| warning.kind)
+    }
+
+    #[test]
+    fn drifts_are_told_beyond_their_bounds() {
+        let drift = |energy_drift, energy_drift_over_left, angular_momentum_drift| Summary {
+            energy_drift,
+            energy_drift_over_left,
+            angular_momentum_drift,
+            ..Default::default()
+        };
+        assert_eq!(kind(energy(&drift(9e-4, 9e-3, 0.0))), "");
+        assert_eq!(kind(energy(&drift(1.1e-3, f64::NAN, 0.0))), "energy");
+        let told = energy(&drift(5e-4, 0.2, 0.0)).expect("a warning").text;
+        assert!(
+            told.contains("5.0e-4 of the initial") && told.contains("2.0e-1 of the kinetic energy that is left"),
+            "{told}"
+        );
+        let turning = |drift_of_l, turn| kind(angular_momentum(&drift(0.0, 0.0, drift_of_l), turn));
+        assert_eq!(turning(9e-3, 1.0) + &turning(f64::NAN, 1.0) + &turning(0.9, 9e-5), "");
+        assert_eq!(turning(1.1e-2, 1.1e-4), "angular_momentum");
+        assert_eq!(kind(below_zero(-0.9, 1e3)) + &kind(below_zero(1e3, 1.0)), "");
+        assert_eq!(kind(below_zero(-1.1, 1e3)), "internal_energy");
+    }
+
+    #[test]
+    fn the_body_whose_density_is_off_is_named() {
+        let scene = Scene::parse("qd.toml", include_str!("../../inputs/qd_star.toml"), &[]).expect("a scene");
+        let of = |inside, crowded, sparse, alone| Packing { inside, crowded, sparse, alone };
+        assert_eq!(density(&scene, &[of(1000, 50, 50, 0), of(9, 9, 0, 10)]), None);
+        let told = density(&scene, &[of(1000, 60, 60, 0), of(100, 0, 30, 40)]).expect("a warning").text;
+        assert!(told.starts_with("in `projectile`") && told.contains("100 particles inside matter 0 lie"), "{told}");
+        assert!(told.contains("30 less dense; 40 beside it"), "{told}");
+    }
+}

@@ -1,0 +1,134 @@
+//! Whether density is still mass over volume. Continuity carries density along and never looks at how particles lie; where they
+//! pass through each other, or are pressed by forces that are none, the two part. Inside matter
+//!
+//! ```text
+//! S_i = sum_j V_j W_ij     V = m / rho     is 1 where density is mass over volume,
+//! ```
+//! of whatever materials and spacings: 2 where particles lie twice as densely as their densities say. A particle is inside where what
+//! surrounds it is no less than half of what surrounds it in its lattice, and lies evenly:
+//!
+//! ```text
+//! C_i = sum_j v_j W_ij >= 1/2     |sum_j v_j (x_j - x_i) W_ij| <= h C_i / 10     v = (h / eta)^d
+//! ```
+//! Spray and surfaces, where S says nothing, so do not count; but matter that so little is around cannot be dense: what is twice as dense
+//! as it began has kept a density that it no longer has. W is the cubic spline whatever the scene's kernel: any would do. The
+//! sums run over the lists and records of the last evaluation.
+
+use super::Stepper;
+use crate::kernel::{CubicSpline, SUPPORT, Shape};
+use crate::pair::{Layout, Rows};
+
+/// S beyond this or below its inverse is off.
+pub const FACTOR: f64 = 1.5;
+/// No surface is as dense as that.
+const COMPRESSED: f64 = 2.0;
+const LEAST_COVER: f64 = 0.5;
+const MOST_SHIFT: f64 = 0.1;
+
+/// Of one body, on all ranks.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Packing {
+    /// Particles inside matter.
+    pub inside: u64,
+    /// Those of them that lie more densely than their density says, by [`FACTOR`].
+    pub crowded: u64,
+    /// Those that lie less densely.
+    pub sparse: u64,
+    /// Particles that less than half is around, and that are [`COMPRESSED`] times as dense as they began.
+    pub alone: u64,
+}
+
+impl Packing {
+    /// Particles whose density is off.
+    pub fn off(&self) -> u64 {
+        self.crowded + self.sparse + self.alone
+    }
+
+    /// Particles of which it can be told.
+    pub fn told(&self) -> u64 {
+        self.inside + self.alone
+    }
+}
+
+/// What a row of neighbours sums up to.
+#[derive(Debug, Clone, Copy, Default)]
+struct Sums {
+    /// S.
+    packing: f64,
+    /// C.
+    cover: f64,
+    /// Of the first moment of C, over h.
+    shift: f64,
+}
+
+impl Sums {
+    fn is_inside(&self) -> bool {
+        self.cover >= LEAST_COVER && self.shift <= MOST_SHIFT * self.cover
+    }
+}
+
+impl<const D: usize> Stepper<'_, D> {
+    /// One for each body; nothing is found inside where no step has been taken since lists were given back. Collective.
+    pub fn packing(&self) -> Vec<Packing> {
+        let mut counts = vec![0i64; 4 * self.settings.constants.len()];
+        if let Some(rows) = self.rows() {
+            let neighbours =
+                Neighbours::<D> { rows, layout: self.settings.pair_loop.layout, eta: self.settings.packer.eta() };
+            for i in 0..self.columns.len() {
+                let sums = neighbours.sums(i);
+                let body = self.columns.get(self.settings.core.id, i).body();
+                let density = self.columns.get(self.settings.core.density.value, i);
+                let is_dense = density > COMPRESSED * self.settings.constants[body].density;
+                let inside = sums.is_inside();
+                let [crowded, sparse] = [sums.packing > FACTOR, sums.packing < 1.0 / FACTOR].map(|off| inside && off);
+                let alone = is_dense && sums.cover > 0.0 && sums.cover < LEAST_COVER;
+                let is = [inside, crowded, sparse, alone];
+                counts[4 * body..].iter_mut().zip(is).for_each(|(count, is)| *count += is as i64);
+            }
+        }
+        self.comm.all_sum(&mut counts);
+        let of = |c: [u64; 4]| Packing { inside: c[0], crowded: c[1], sparse: c[2], alone: c[3] };
+        counts.as_chunks::<4>().0.iter().map(|counts| of(counts.map(|n| n as u64))).collect()
+    }
+}
+
+/// What the last evaluation left.
+struct Neighbours<'a, const D: usize> {
+    rows: Rows<'a>,
+    layout: Layout,
+    eta: f64,
+}
+
+impl<const D: usize> Neighbours<'_, D> {
+    fn record(&self, slot: u32) -> &[f64] {
+        &self.rows.records[slot as usize * self.layout.stride()..][..self.layout.words()]
+    }
+
+    /// Sums of row `i`; nothing where its record has not been made.
+    fn sums(&self, i: usize) -> Sums {
+        let own = self.record(self.rows.slots[i]);
+        let g_i = own[self.layout.h_inverse()];
+        if g_i == 0.0 {
+            return Sums::default();
+        }
+        let lattice_volume = |g: f64| (g * self.eta).powi(-(D as i32));
+        let w_0 = CubicSpline::normalisation::<D>() * g_i.powi(D as i32) * CubicSpline::value(0.0);
+        let (mut packing, mut cover) = (w_0 * own[self.layout.volume()], w_0 * lattice_volume(g_i));
+        let mut shift = [0.0; D];
+        for &slot in &self.rows.entries[self.rows.offsets[i]..self.rows.offsets[i + 1]] {
+            let other = self.record(slot);
+            let g = 0.5 * (g_i + other[self.layout.h_inverse()]);
+            let x: [f64; D] = std::array::from_fn(|k| other[k] - own[k]);
+            let q = g * x.iter().map(|x| x * x).sum::<f64>().sqrt();
+            if q >= SUPPORT {
+                continue;
+            }
+            let w = CubicSpline::normalisation::<D>() * g.powi(D as i32) * CubicSpline::value(q);
+            let v = w * lattice_volume(other[self.layout.h_inverse()]);
+            packing += w * other[self.layout.volume()];
+            cover += v;
+            shift.iter_mut().zip(x).for_each(|(sum, x)| *sum += v * x * g);
+        }
+        Sums { packing, cover, shift: shift.iter().map(|x| x * x).sum::<f64>().sqrt() }
+    }
+}
