@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use super::due::Due;
 use super::probes;
 use super::report;
 use super::resources;
@@ -10,7 +11,7 @@ use super::state::Spent;
 use crate::error::{Error, Result};
 use crate::outcome::{self, Evaluation, Particle, Question};
 use crate::output::{Cell, CheckpointMeta, Snapshot, Storage, checkpoint, snapshot};
-use crate::scene::{Precision, Scene};
+use crate::scene::{Precision, Scene, Snapshots};
 use crate::step::phases::Phase;
 
 impl<const D: usize> Run<'_, D> {
@@ -46,35 +47,19 @@ impl<const D: usize> Run<'_, D> {
         evaluation
     }
 
-    /// The outcome that counts, with its files. Collective.
-    pub(super) fn take_outcome(&mut self) -> Result<()> {
-        self.state.outcome_time = self.state.time;
-        if !self.scene.hits_ground() {
-            let evaluation = self.evaluate_outcome();
-            report::write_distributions(&evaluation, D, &self.options.directory, self.comm)?;
-            self.state.outcome = Some(evaluation.outcome);
+    /// When snapshots are due, where the scene wants them on the way.
+    pub(super) fn due(&self) -> Option<Due> {
+        match self.scene.output.snapshots {
+            Snapshots::Every(every) => Some(Due { every }),
+            Snapshots::AtEnd | Snapshots::Never => None,
         }
-        self.state.crater = self.crater()?;
-        self.draw_cut()
     }
 
-    /// The picture, where the scene wants one. Collective.
-    pub(super) fn draw_cut(&self) -> Result<()> {
-        if !self.scene.output.picture {
-            return Ok(());
-        }
-        let source = report::PictureSource {
-            scene: self.scene,
-            stepper: &self.stepper,
-            time: self.state.time,
-            directory: &self.options.directory,
-        };
-        report::draw_cut(&source, self.comm)
-    }
-
+    /// One on the way; that of the end comes after what is worth more. Collective.
     pub(super) fn write_snapshot_if_due(&mut self) -> Result<()> {
-        let Some(interval) = self.scene.output.snapshot_interval else { return Ok(()) };
-        if self.state.time + 1e-9 * interval < self.state.snapshots as f64 * interval {
+        let time = self.state.time;
+        let is_due = |due: Due| due.same(due.next(self.state.snapshot_time, time), time);
+        if !self.due().is_some_and(is_due) || self.is_over() {
             return Ok(());
         }
         self.write_snapshot()
@@ -83,7 +68,8 @@ impl<const D: usize> Run<'_, D> {
     pub(super) fn write_snapshot(&mut self) -> Result<()> {
         let start = Instant::now();
         self.state.snapshots += 1;
-        let name = format!("snapshot_{:04}.vtkhdf", self.state.snapshots);
+        self.state.snapshot_time = Some(self.state.time);
+        let name = snapshot::name(self.state.snapshots);
         let figures = [
             ("energy_drift".to_string(), self.state.conservation.energy_drift()),
             ("momentum_drift".to_string(), self.state.conservation.momentum),
