@@ -28,7 +28,7 @@ Examples:
       take a run that has ended further
 
 In --set, a body is addressed by its name and its shape's keys follow directly (projectile.radius).
-SIGTERM and SIGUSR1 end a run with a checkpoint. RUST_LOG sets what is logged (error, warn, info, debug).";
+Ctrl-C, SIGTERM, SIGHUP and SIGUSR1 end a run with a checkpoint. RUST_LOG sets what is logged (error, warn, info, debug).";
 
 /// A hydrocode for impacts into strong, brittle, porous and dusty bodies, distributed with MPI.
 #[derive(Debug, Clone, PartialEq, Parser)]

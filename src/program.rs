@@ -1,6 +1,7 @@
 //! The program: arguments, one scene for all ranks, the run it asks for, and one place that prints errors.
 
 use std::borrow::Cow;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
@@ -76,12 +77,10 @@ fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
     };
     if args.check || args.points {
         return match describe(args, &task, comm) {
-            Ok(text) => {
-                if comm.is_root() {
-                    print!("{}", plain(&text));
-                }
-                0
-            }
+            Ok(text) => match agree(comm, if comm.is_root() { print(&plain(&text)) } else { Ok(()) }) {
+                Ok(()) => 0,
+                Err(error) => complain(&error, FAILED, comm),
+            },
             Err(error) => complain(&error, BAD_INPUT, comm),
         };
     }
@@ -259,7 +258,18 @@ fn ranks_on_these_cores(cores: usize, comm: &Comm) -> usize {
 /// One line from rank 0, the same code on all ranks.
 fn complain(error: &Error, code: i32, comm: &Comm) -> i32 {
     if comm.is_root() {
-        eprintln!("error: {error}");
+        log::error(error);
     }
     code
+}
+
+/// To the standard output, where somebody still reads it.
+fn print(text: &str) -> Result<()> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Error::new(format!("cannot write: {e}")).at("standard output"))
+        }
+        _ => Ok(()),
+    }
 }

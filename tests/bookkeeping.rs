@@ -13,7 +13,7 @@ use sph_mpi::outcome::{Evaluation, Outcome, Piece, Strict};
 fn piece(label: u64, count: u64, mass: f64, speed: f64) -> Piece {
     let position = Vec3::new(1.0 + label as f64, 2.0, 2.0);
     let velocity = Vec3::new(10.0 + speed, 20.0, 0.0);
-    Piece { label, count, mass, volume: std::f64::consts::PI / 6.0 * (label as f64).powi(3), position, velocity }
+    Piece { label, count, mass, volume: std::f64::consts::PI / 6.0 * (label as f64).powi(3), position, velocity, of: [mass, 0.0] }
 }
 
 /// Two fragments and two loose particles of 1000 kg in all; the fragments are the largest remnant.
@@ -22,17 +22,19 @@ fn left() -> Evaluation {
         target_mass: 900.0,
         total_mass: 1000.0,
         largest_remnant_fraction: 0.0,
+        largest_remnant_particles: 16,
         largest_remnant_of_total: 0.0,
         second_remnant_fraction: 0.0,
         largest_fragment_fraction: 0.0,
         fragments: 2,
         unbound_mass: 0.0,
         strict: Strict { largest_remnant_fraction: 0.0, largest_fragment_fraction: 0.0, fragments: 2 },
+        bodies: Vec::new(),
     };
     let pieces =
         vec![piece(3, 12, 600.0, 3.0), piece(2, 4, 200.0, -1.2), piece(8, 1, 100.0, 100.0), piece(9, 1, 100.0, 0.0)];
     let frame = (Vec3::new(1.0, 2.0, 2.0), Vec3::new(10.0, 20.0, 0.0));
-    Evaluation { outcome, pieces, in_largest: vec![true, true, false, false], frame }
+    Evaluation { outcome, pieces, in_largest: vec![true, true, false, false], frame, mass: 1000.0 }
 }
 
 fn numbers(line: &str) -> Vec<f64> {

@@ -228,3 +228,10 @@ fn usr1_to_mpirun_stops_with_a_checkpoint() {
 fn term_to_the_ranks_stops_with_a_checkpoint() {
     assert_stop_and_resume(|job| job.signal_ranks(libc::SIGTERM));
 }
+
+/// Ctrl-C of a terminal, and a terminal that is closed, as far as they reach a rank.
+#[test]
+fn interrupt_and_hangup_of_one_rank_stop_all_with_a_checkpoint() {
+    assert_stop_and_resume(|job| job.signal_one(false, libc::SIGINT));
+    assert_stop_and_resume(|job| job.signal_one(true, libc::SIGHUP));
+}

@@ -54,8 +54,13 @@ impl Legs {
     /// Goes on to the end, which must be that of an undisturbed run.
     #[track_caller]
     fn finish(&self) {
+        self.finish_as(undisturbed());
+    }
+
+    #[track_caller]
+    fn finish_as(&self, hash: &serde_json::Value) {
         self.leg(2, "", 0);
-        assert_eq!(summary(&self.run())["state_hash"], *undisturbed());
+        assert_eq!(summary(&self.run())["state_hash"], *hash);
         assert!(self.temporary_files().is_empty(), "{:?}", self.temporary_files());
     }
 
@@ -69,6 +74,11 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let entries = fs::read_dir(folder).expect("the run's directory").flatten();
     let read = |path: PathBuf| fs::read(path).expect("a readable file");
     entries.map(|entry| (entry.file_name().to_string_lossy().into_owned(), read(entry.path()))).collect()
+}
+
+/// All files but the log.
+fn results(legs: &Legs) -> BTreeMap<String, Vec<u8>> {
+    files(&legs.run()).into_iter().filter(|(name, _)| name != "log.txt").collect()
 }
 
 /// The state hash at the end of a run that nothing happens to.
@@ -110,9 +120,16 @@ fn full_disk_during_a_checkpoint() {
 /// The same for a snapshot on the way.
 #[test]
 fn full_disk_during_a_snapshot() {
-    for rank in 0..2 {
+    // Steps end where snapshots are due.
+    let with_snapshots = || {
         let mut legs = Legs::new();
         legs.settings.push("output.every=0.03 s");
+        legs
+    };
+    let whole = with_snapshots();
+    whole.leg(1, "", 0);
+    for rank in 0..2 {
+        let legs = with_snapshots();
         legs.leg(2, "stop:0:20", STOPPED);
         let output = legs.leg(2, &format!("full:{rank}:22"), FAILED);
         assert_one_error(&output, &["/snapshot_00", ".vtkhdf.tmp: cannot ", "allowed: room on the disk"]);
@@ -125,7 +142,7 @@ fn full_disk_during_a_snapshot() {
         assert_eq!(legs.temporary_files(), [""; 0], "the room is given back");
         let series = fs::read_to_string(legs.file("snapshots.vtkhdf.series")).expect("a list of snapshots");
         assert!(before.iter().all(|name| series.contains(name.as_str())) && !series.contains(&next), "{series}");
-        legs.finish();
+        legs.finish_as(&summary(&whole.run())["state_hash"]);
         assert!(snapshots().contains(&next));
     }
 }
@@ -171,20 +188,22 @@ fn damaged_checkpoints_without_a_whole_one() {
         flip_a_bit(newest);
         truncate(previous);
     });
-    let before = files(&legs.run());
+    let before = results(&legs);
     let output = legs.leg(2, "", BAD_INPUT);
     assert_one_error(&output, &["no whole checkpoint is left", "checkpoint.h5", "checkpoint_previous.h5"]);
-    assert!(files(&legs.run()) == before, "nothing is written");
+    assert!(results(&legs) == before, "nothing is written but the error");
+    let log = fs::read_to_string(legs.file("log.txt")).expect("a log");
+    assert!(log.contains("error: ") && log.contains("no whole checkpoint is left"), "{log}");
 }
 
 #[test]
 fn checkpoint_of_another_scene() {
     let mut legs = damaged(|_, _| {});
-    let before = files(&legs.run());
+    let before = results(&legs);
     legs.settings.push("impact.speed=4 km/s");
     let output = legs.leg(2, "", BAD_INPUT);
     assert_one_error(&output, &["checkpoint.h5", "belongs to another scene", "--out"]);
-    assert!(files(&legs.run()) == before, "nothing is written");
+    assert!(results(&legs) == before, "nothing is written but the error");
     legs.settings.pop();
     legs.finish();
 }

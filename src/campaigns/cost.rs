@@ -14,7 +14,7 @@ use crate::material::BodyConstants;
 use crate::outcome::settled::Settled;
 use crate::particles::Life;
 use crate::particles::columns::Entry;
-use crate::scene::{Precision, Scene, Until};
+use crate::scene::{Precision, Scene, Snapshots, Until};
 use crate::simulation::footprint::Footprint;
 use crate::simulation::late::free_fall_time;
 use crate::simulation::setup::{self, Plan};
@@ -76,13 +76,7 @@ fn bodies(scene: &Scene, plan: &Plan) -> String {
     if setup::expected_particles(scene).is_some() {
         text += "  numbers of particles are those that volumes give\n";
     }
-    text + &warnings(scene)
-}
-
-/// What is unlikely about the scene.
-pub fn warnings(scene: &Scene) -> String {
-    let lines: String = scene.warnings().iter().map(|warning| format!("warning: {warning}\n")).collect();
-    if lines.is_empty() { lines } else { format!("\n{lines}") }
+    text
 }
 
 /// Effects and pair terms, each with the tables that ask for it.
@@ -293,6 +287,9 @@ impl<'a> Course<'a> {
         let (end, why) = end(scene);
         let switch = late_time(scene).map_or(end, |at| at.min(end));
         let soft = soft_step(scene, plan).unwrap_or(dt);
+        // A step ends where a snapshot is due.
+        let apart = if let Snapshots::Every(interval) = scene.output.snapshots { interval } else { f64::INFINITY };
+        let (dt, soft) = (dt.min(apart), soft.min(apart));
         let interval = plan.gravity.and_then(|gravity| gravity.own).map_or(f64::INFINITY, |own| own.interval);
         let parts = [(switch, dt), (end - switch, soft)];
         let evaluations = parts.map(|(time, dt)| time / interval.max(dt)).iter().sum::<f64>();
@@ -366,7 +363,11 @@ fn output(scene: &Scene, plan: &Plan, particles: u64, until: (f64, f64)) -> (Str
     let entries = &plan.registry.entries;
     let words = |wanted: &dyn Fn(&Entry) -> bool| entries.iter().filter(|e| wanted(e)).map(|e| e.width).sum::<usize>();
     let real = if scene.output.precision == Precision::F32 { 4.0 } else { 8.0 };
-    let snapshots = scene.output.snapshot_interval.map_or(0.0, |interval| (until.0 / interval).floor() + 2.0);
+    let snapshots = match scene.output.snapshots {
+        Snapshots::Never => 0.0,
+        Snapshots::AtEnd => 1.0,
+        Snapshots::Every(interval) => (until.0 / interval - 1e-9).ceil() + 1.0,
+    };
     let checkpoints = 1.0 + (until.1 / scene.run.checkpoint_every).floor();
     let of_snapshots = snapshots * real * words(&|entry| entry.info.snapshot) as f64;
     let of_checkpoints = checkpoints * 8.0 * words(&|entry| entry.info.life == Life::State) as f64;

@@ -13,6 +13,7 @@ use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::outcome::scaling::{self, ThresholdFit};
 use crate::output::figures::curves::{Axis, Figure, Mark, Series};
+use crate::output::figures::or_warn;
 use crate::output::publish::replace_text;
 use crate::output::summary::{self, Figures};
 use crate::output::{Summary, agree};
@@ -271,8 +272,9 @@ impl<'a> Found<'a> {
 
     fn write_alone(&self, directory: &Path) -> Result<()> {
         replace_text(&directory.join("threshold.csv"), &self.table())?;
-        self.remnant_figure().draw(&directory.join("threshold.png"))?;
-        self.radius_figure().draw(&directory.join("q_star.png"))
+        or_warn(self.remnant_figure().draw(&directory.join("threshold.png")));
+        or_warn(self.radius_figure().draw(&directory.join("q_star.png")));
+        Ok(())
     }
 
     fn reference(&self) -> f64 {

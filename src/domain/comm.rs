@@ -3,6 +3,7 @@
 
 use std::cell::{Cell, RefCell};
 use std::ffi::{CStr, CString};
+use std::io::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::task::{Context, Poll};
 use std::time::Instant;
@@ -65,7 +66,8 @@ impl Comm {
             let default = std::panic::take_hook();
             std::panic::set_hook(Box::new(move |info| {
                 default(info);
-                eprintln!("rank {rank} panicked: the job ends");
+                // Where nobody listens any more, the job ends all the same.
+                let _ = writeln!(std::io::stderr(), "rank {rank} panicked: the job ends");
                 // SAFETY: MPI is initialised; MPI_Abort may be called from any state and does not return.
                 unsafe { ffi::MPI_Abort(ffi::RSMPI_COMM_WORLD, 101) };
             }));

@@ -45,8 +45,11 @@ pub fn replace_text(path: &Path, text: &str) -> Result<()> {
 
 /// The same for any bytes.
 pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
-    fs::write(temporary(path), bytes).map_err(|e| cannot("write", path, e))?;
-    rename(path)
+    let written = fs::write(temporary(path), bytes).map_err(|e| cannot("write", path, e)).and_then(|()| rename(path));
+    written.inspect_err(|_| {
+        // As above.
+        let _ = fs::remove_file(temporary(path));
+    })
 }
 
 fn rename(path: &Path) -> Result<()> {
@@ -81,5 +84,9 @@ mod tests {
         assert!(!temporary(&path).exists());
         let error = replace_text(&directory.path().join("missing/a.json"), "x").unwrap_err();
         assert!(error.what.starts_with("cannot write") && error.place.ends_with("a.json"));
+        // A folder in the way.
+        fs::create_dir_all(directory.path().join("b.json/c")).unwrap();
+        let path = directory.path().join("b.json");
+        assert!(replace_text(&path, "x").is_err() && !temporary(&path).exists());
     }
 }

@@ -9,7 +9,7 @@ use serde_json::{Value as Json, json};
 
 use super::agree;
 use super::collective::{CollectiveFile, Value};
-use super::publish::{prepare, publish, replace_text};
+use super::publish::{prepare, publish, replace_text, temporary};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::material::BodyConstants;
@@ -58,7 +58,11 @@ impl Snapshot<'_> {
             self.write_run(file)?;
             Ok(file.was_collective())
         })?;
-        publish(path, comm)?;
+        publish(path, comm).inspect_err(|_| {
+            if comm.is_root() {
+                let _ = std::fs::remove_file(temporary(path));
+            }
+        })?;
         Ok(collective)
     }
 
@@ -195,8 +199,8 @@ fn find<T: crate::particles::Element>(columns: &Columns, name: &str) -> Result<C
     columns.registry.find(name).ok_or_else(|| Error::new(format!("a snapshot needs the column {name}")))
 }
 
-/// Enters a snapshot into the list that ParaView plays as an animation; one from this time on, left by a run that was
-/// resumed before it, is replaced. By rank 0; all ranks return the same.
+/// Enters a snapshot into the list that ParaView plays as an animation. Others from this time on, left by a run that was
+/// resumed before them, are cut off, files and all. By rank 0; all ranks return the same.
 pub fn extend_series(path: &Path, snapshot: &str, time: f64, comm: &Comm) -> Result<()> {
     let mine = if comm.is_root() { extend_series_alone(path, snapshot, time) } else { Ok(()) };
     agree(comm, mine)
@@ -204,11 +208,29 @@ pub fn extend_series(path: &Path, snapshot: &str, time: f64, comm: &Comm) -> Res
 
 fn extend_series_alone(path: &Path, snapshot: &str, time: f64) -> Result<()> {
     let old = std::fs::read_to_string(path).ok().and_then(|text| serde_json::from_str::<Json>(&text).ok());
-    let mut files = old.and_then(|series| series["files"].as_array().cloned()).unwrap_or_default();
-    files.retain(|f| f["name"] != snapshot && f["time"].as_f64().is_some_and(|t| t < time));
+    let files = old.and_then(|series| series["files"].as_array().cloned()).unwrap_or_default();
+    let stays = |f: &Json| f["name"] != snapshot && f["time"].as_f64().is_some_and(|t| t < time);
+    let (mut files, old): (Vec<Json>, Vec<Json>) = files.into_iter().partition(stays);
     files.push(json!({ "name": snapshot, "time": time }));
     let series = json!({ "file-series-version": "1.0", "files": files });
-    replace_text(path, &format!("{series:#}\n"))
+    replace_text(path, &format!("{series:#}\n"))?;
+    for name in old.iter().filter_map(|f| f["name"].as_str()) {
+        if name != snapshot && is_name(name) {
+            // One that is there no more is what is wanted.
+            let _ = std::fs::remove_file(path.with_file_name(name));
+        }
+    }
+    Ok(())
+}
+
+/// The name of a run's n-th snapshot, from 1 on.
+pub fn name(number: u32) -> String {
+    format!("snapshot_{number:04}.vtkhdf")
+}
+
+fn is_name(text: &str) -> bool {
+    let number = text.strip_prefix("snapshot_").and_then(|rest| rest.strip_suffix(".vtkhdf"));
+    number.is_some_and(|number| !number.is_empty() && number.bytes().all(|digit| digit.is_ascii_digit()))
 }
 
 #[cfg(test)]
@@ -225,5 +247,20 @@ mod tests {
         let series: Json = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
         let expected = json!([{ "name": "a", "time": 0.0 }, { "name": "b", "time": 1.0 }]);
         assert_eq!((&series["files"], &series["file-series-version"]), (&expected, &json!("1.0")));
+    }
+
+    /// Where a run is resumed with snapshots farther apart, the list and the files agree.
+    #[test]
+    fn snapshots_beyond_the_newest_are_cut_off() {
+        let directory = tempfile::tempdir().unwrap();
+        let at = |name: &str| directory.path().join(name);
+        std::fs::write(at("notes.txt"), "").unwrap();
+        for (number, time) in [(1, 0.0), (2, 1.0), (3, 2.0), (4, 3.0), (2, 2.0)] {
+            std::fs::write(at(&name(number)), "").unwrap();
+            extend_series_alone(&at("snapshots.vtkhdf.series"), &name(number), time).unwrap();
+        }
+        let left = |number| at(&name(number)).exists();
+        assert_eq!([1, 2, 3, 4].map(left), [true, true, false, false]);
+        assert!(at("notes.txt").exists() && !is_name("../snapshot_1.vtkhdf") && !is_name("snapshot_a.vtkhdf"));
     }
 }

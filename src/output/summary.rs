@@ -1,6 +1,7 @@
 //! summary.json: what a run found and what it cost, under keys that scripts may rely on.
 
 use std::fmt;
+use std::marker::PhantomData;
 use std::path::Path;
 
 use serde::de::{MapAccess, Visitor};
@@ -24,25 +25,32 @@ impl Serialize for Figures {
 /// Null is a number that is not finite.
 impl<'de> Deserialize<'de> for Figures {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
-        /// Keeps the order.
-        struct Pairs;
-        impl<'de> Visitor<'de> for Pairs {
-            type Value = Figures;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("names with numbers")
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> std::result::Result<Figures, A::Error> {
-                let mut figures = Figures::default();
-                while let Some((name, value)) = map.next_entry::<String, Option<f64>>()? {
-                    figures.0.push((name, value.unwrap_or(f64::NAN)));
-                }
-                Ok(figures)
-            }
-        }
-        deserializer.deserialize_map(Pairs)
+        let figures: Vec<(String, Option<f64>)> = pairs(deserializer)?;
+        Ok(Self(figures.into_iter().map(|(name, value)| (name, value.unwrap_or(f64::NAN))).collect()))
     }
+}
+
+/// Names with values, in the order in which they stand.
+fn pairs<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
+    deserializer: D,
+) -> std::result::Result<Vec<(String, T)>, D::Error> {
+    struct Pairs<T>(PhantomData<T>);
+    impl<'de, T: Deserialize<'de>> Visitor<'de> for Pairs<T> {
+        type Value = Vec<(String, T)>;
+
+        fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+            f.write_str("names with values")
+        }
+
+        fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> std::result::Result<Self::Value, A::Error> {
+            let mut pairs = Vec::new();
+            while let Some(pair) = map.next_entry()? {
+                pairs.push(pair);
+            }
+            Ok(pairs)
+        }
+    }
+    deserializer.deserialize_map(Pairs(PhantomData))
 }
 
 fn number<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<f64, D::Error> {
@@ -62,6 +70,12 @@ impl Remnants {
 impl Serialize for Remnants {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().map(|(name, figures)| (name, figures)))
+    }
+}
+
+impl<'de> Deserialize<'de> for Remnants {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+        pairs(deserializer).map(Self)
     }
 }
 
@@ -95,7 +109,7 @@ pub struct Summary {
     #[serde(deserialize_with = "number")]
     pub energy_drift: f64,
     /// The same over the kinetic energy in that frame at the end; not a number where less than 1e-3 of the scale above is left.
-    #[serde(default = "nan", deserialize_with = "number")]
+    #[serde(deserialize_with = "number")]
     pub energy_drift_over_left: f64,
     /// Over sum m |v|.
     #[serde(deserialize_with = "number")]
@@ -123,7 +137,7 @@ pub struct Summary {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outcome: Option<Figures>,
     /// Of an impact's bodies: shares of their own matter.
-    #[serde(default, skip_serializing_if = "Remnants::is_empty")]
+    #[serde(skip_serializing_if = "Remnants::is_empty")]
     pub remnants: Remnants,
     /// What was handed on to an N-body program.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -134,7 +148,6 @@ pub struct Summary {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<Accuracy>,
     /// What to know before trusting the rest.
-    #[serde(default)]
     pub warnings: Vec<Warning>,
 }
 

@@ -49,7 +49,7 @@ use late_stage::Surroundings;
 pub use nbody::Nbody;
 pub use numerics::{ArtificialStress, Numerics, SmoothingLength};
 use raw::RawScene;
-pub use settings::{Output, Precision, Run, Threshold, Until};
+pub use settings::{Output, Precision, Run, Snapshots, Threshold, Until};
 pub use shape::Shape;
 use source::{Document, Source};
 pub use start::{Blast, Flow, Mode};
@@ -197,7 +197,7 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
         raw.layer.iter().enumerate().map(|(number, layer)| layer.validate(document, number, (&bodies, &periods)));
     let layers = layers.collect::<Result<Vec<_>>>()?;
     let run = raw.run.validate(document, impact.is_some())?;
-    let output = raw.output.validate(document, run.until)?;
+    let output = raw.output.validate(document, &run)?;
     let late_stage = raw.late_stage.as_ref().map(|stage| {
         let (impact, names) = (impact.is_some(), &material_names[..]);
         let around =

@@ -127,11 +127,19 @@ pub enum Precision {
     F64,
 }
 
+/// When snapshots are written. Where there are any, the last one shows the end.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum Snapshots {
+    Never,
+    AtEnd,
+    /// From the start on, with this simulated time between them, s.
+    Every(f64),
+}
+
 /// What a run writes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Output {
-    /// Simulated time between snapshots, s; none where the scene asks for none on the way.
-    pub snapshot_interval: Option<f64>,
+    pub snapshots: Snapshots,
     pub precision: Precision,
     /// gzip level of snapshots, 0 (none) to 9.
     pub compression: u8,
@@ -144,23 +152,8 @@ pub struct Output {
 }
 
 impl RawOutput {
-    pub(super) fn validate(&self, document: &Document, until: Until) -> Result<Output> {
-        let snapshot_interval = match (self.snapshots, self.every, until) {
-            (Some(_), Some(_), _) => {
-                return Err(document
-                    .error("output.snapshots", "both `snapshots` and `every` are given")
-                    .allowed("one of them"));
-            }
-            (Some(0), None, _) | (None, None, _) => None,
-            (Some(_), None, Until::Settled) => {
-                let what = "a number of snapshots needs a run of known length, and this one ends when it is settled";
-                return Err(document
-                    .error("output.snapshots", what)
-                    .allowed("every = \"1 s\", or run.until = \"100 s\""));
-            }
-            (Some(count), None, Until::Time(end)) => Some(end / count as f64),
-            (None, Some(every), _) => Some(positive(document, "output.every", every.0, every)?),
-        };
+    pub(super) fn validate(&self, document: &Document, run: &Run) -> Result<Output> {
+        let snapshots = self.snapshots(document, run)?;
         if self.compression > 9 {
             let what = format!("{} is no compression level", self.compression);
             return Err(document.error("output.compression", what).allowed("0 to 9"));
@@ -170,7 +163,37 @@ impl RawOutput {
         }
         let mpi_io_hints = self.hints(document)?;
         let Self { precision, compression, history_every, picture, .. } = *self;
-        Ok(Output { snapshot_interval, precision, compression, history_every, picture, mpi_io_hints })
+        Ok(Output { snapshots, precision, compression, history_every, picture, mpi_io_hints })
+    }
+
+    /// The first of a number of snapshots shows the start, the last the end; a single one shows the end.
+    fn snapshots(&self, document: &Document, run: &Run) -> Result<Snapshots> {
+        let end = match run.until {
+            Until::Time(end) => Some(end.min(run.max_time.unwrap_or(end))),
+            Until::Settled => run.max_time,
+        };
+        let (key, interval) = match (self.snapshots, self.every) {
+            (Some(_), Some(_)) => {
+                return Err(document
+                    .error("output.snapshots", "both `snapshots` and `every` are given")
+                    .allowed("one of them"));
+            }
+            (Some(0), None) | (None, None) => return Ok(Snapshots::Never),
+            (Some(1), None) => return Ok(Snapshots::AtEnd),
+            (Some(_), None) if run.until == Until::Settled => {
+                let what = "a number of snapshots needs a run of known length, and this one ends when it is settled";
+                return Err(document
+                    .error("output.snapshots", what)
+                    .allowed("1, at the end; every = \"1 s\"; or run.until = \"100 s\""));
+            }
+            (Some(count), None) => ("output.snapshots", end.unwrap_or(f64::INFINITY) / (count - 1) as f64),
+            (None, Some(every)) => ("output.every", positive(document, "output.every", every.0, every)?),
+        };
+        if end.is_some_and(|end| end / interval > MOST_SNAPSHOTS) {
+            let what = format!("{:e} snapshots", end.unwrap_or_default() / interval);
+            return Err(document.error(key, what).allowed(format!("{MOST_SNAPSHOTS:e} and less, and a step for each")));
+        }
+        Ok(Snapshots::Every(interval))
     }
 
     /// Hints as MPI takes them: short texts. Which of them it knows is up to the MPI and the file system.
@@ -200,6 +223,9 @@ impl RawOutput {
     }
 }
 
+/// Each costs a step of its own, and a file.
+const MOST_SNAPSHOTS: f64 = 1e6;
+
 /// Hints that count ranks, servers or bytes. An MPI believes what it is told, and asks for the memory.
 const COUNTS: [&str; 9] = [
     "cb_nodes",
@@ -213,6 +239,7 @@ const COUNTS: [&str; 9] = [
     "ind_wr_buffer_size",
 ];
 const MOST_COUNTED: u32 = i32::MAX as u32;
+
 /// What OpenMPI takes, which takes the least.
 const LONGEST_HINT_KEY: usize = 35;
 const LONGEST_HINT: usize = 255;

@@ -183,7 +183,21 @@ fn a_gas_starts_from_its_pressure() {
         parse(include_str!("../../inputs/blast_gas.toml"), &["material.ideal_gas.eos.ideal_gas.gamma=1.4"]).unwrap();
     assert!(matches!(scene.materials[0].eos, EosTable::IdealGas(gas) if gas.gamma.0 == 1.4));
     assert!((scene.bodies[0].internal_energy / 2.5e5 - 1.0).abs() < 1e-15);
-    assert!((scene.output.snapshot_interval.unwrap() / 4e-4 - 1.0).abs() < 1e-15);
+}
+
+/// N snapshots are N files: the first of them at the start, the last at the end, and a single one at the end.
+#[test]
+fn snapshots_are_as_many_as_were_asked_for() {
+    let snapshots = |overrides: &[&str]| parse(BALL, overrides).map(|scene| scene.output.snapshots);
+    assert_eq!(snapshots(&["output.snapshots=0"]).unwrap(), Snapshots::Never);
+    assert_eq!(snapshots(&["output.snapshots=1"]).unwrap(), Snapshots::AtEnd);
+    assert_eq!(snapshots(&["output.snapshots=5", "run.until=8 s"]).unwrap(), Snapshots::Every(2.0));
+    assert_eq!(snapshots(&["output.snapshots=5", "run.until=8 s", "run.max_time=4 s"]).unwrap(), Snapshots::Every(1.0));
+    assert_eq!(snapshots(&["output.every=3 s", "run.until=8 s"]).unwrap(), Snapshots::Every(3.0));
+    for too_many in ["output.every=1e-9 s", "output.snapshots=4000000000"] {
+        let text = snapshots(&[too_many, "run.until=8 s"]).unwrap_err().to_string();
+        assert!(text.contains("snapshots") && text.contains("1e6 and less"), "{text}");
+    }
 }
 
 #[test]

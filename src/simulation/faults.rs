@@ -3,6 +3,7 @@
 //! - `panic` panics there, `pool` on the other threads of the rank's pool, `kill` ends the process without a word;
 //! - `stop` behaves as if SIGTERM had come;
 //! - `nan` makes a rate of one particle no number;
+//! - `memory` asks for more memory than there are addresses;
 //! - `full` lets no file of the rank grow any more, `full_in_checkpoint` asks for a checkpoint at that moment;
 //! - `kill_in_write`, `term_in_write` ask for a checkpoint and raise SIGKILL or SIGTERM amid the data of the next file, and
 //!   `kill_before_rename` when that file is whole and has not got its name yet.
@@ -36,6 +37,7 @@ enum Kind {
     Kill,
     Stop,
     Nan,
+    Memory,
     Full,
     FullInCheckpoint,
     KillInWrite,
@@ -82,6 +84,7 @@ impl Fault {
             "kill" => Kind::Kill,
             "stop" => Kind::Stop,
             "nan" => Kind::Nan,
+            "memory" => Kind::Memory,
             "full" => Kind::Full,
             "full_in_checkpoint" => Kind::FullInCheckpoint,
             "kill_in_write" => Kind::KillInWrite,
@@ -114,6 +117,7 @@ impl Fault {
             Kind::Kill => drop(unsafe { libc::raise(libc::SIGKILL) }),
             Kind::Stop => return Asks::Stop,
             Kind::Nan => self.poisoned.store(true, Ordering::Relaxed),
+            Kind::Memory => drop(std::hint::black_box(Vec::<u8>::with_capacity(isize::MAX as usize))),
             Kind::Full | Kind::FullInCheckpoint => {
                 let limit = libc::rlimit { rlim_cur: FULL, rlim_max: libc::RLIM_INFINITY };
                 // SAFETY: reads the structure that it is given.
@@ -123,7 +127,7 @@ impl Fault {
             Kind::TermInWrite => moment::arm(Moment::Writing, libc::SIGTERM),
             Kind::KillBeforeRename => moment::arm(Moment::Written, libc::SIGKILL),
         }
-        let elsewhere = [Kind::Panic, Kind::Pool, Kind::Kill, Kind::Stop, Kind::Nan, Kind::Full];
+        let elsewhere = [Kind::Panic, Kind::Pool, Kind::Kill, Kind::Stop, Kind::Nan, Kind::Memory, Kind::Full];
         if elsewhere.contains(&kind) { Asks::Nothing } else { Asks::Checkpoint }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use super::due::Due;
 use super::probes;
 use super::report;
 use super::resources;
@@ -9,9 +10,9 @@ use super::run::Run;
 use super::state::Spent;
 use crate::error::{Error, Result};
 use crate::outcome::vapour::Vapour;
-use crate::outcome::{self, Evaluation, Particle, Question, origin};
+use crate::outcome::{self, Evaluation, Particle, Question};
 use crate::output::{Cell, CheckpointMeta, Snapshot, Storage, checkpoint, snapshot};
-use crate::scene::Precision;
+use crate::scene::{Precision, Snapshots};
 use crate::step::phases::Phase;
 
 impl<const D: usize> Run<'_, D> {
@@ -47,7 +48,7 @@ impl<const D: usize> Run<'_, D> {
         evaluation
     }
 
-    fn question(&self) -> Question {
+    pub(super) fn question(&self) -> Question {
         let [target, projectile] = self.scene.impact.as_ref().map_or([0, 1], |i| [i.target, i.projectile]);
         let target_mass = self.scene.bodies[target].mass();
         Question { dimension: D, target_mass, bodies: [target, projectile], others: self.scene.bodies.len() > 2 }
@@ -61,38 +62,19 @@ impl<const D: usize> Run<'_, D> {
         }
     }
 
-    /// The outcome that counts, with its files. Collective.
-    pub(super) fn take_outcome(&mut self) -> Result<()> {
-        self.state.outcome_time = self.state.time;
-        if !self.scene.hits_ground() {
-            let mut evaluation = self.evaluate_outcome();
-            let masses: Vec<f64> = self.scene.bodies.iter().map(|body| body.mass()).collect();
-            let asked = (&evaluation, &self.question());
-            evaluation.outcome.bodies = origin::by_body(self.comm, &self.particles(), asked, &masses);
-            report::write_distributions(&evaluation, D, &self.options.directory, self.comm)?;
-            self.state.outcome = Some(evaluation.outcome);
+    /// When snapshots are due, where the scene wants them on the way.
+    pub(super) fn due(&self) -> Option<Due> {
+        match self.scene.output.snapshots {
+            Snapshots::Every(every) => Some(Due { every }),
+            Snapshots::AtEnd | Snapshots::Never => None,
         }
-        self.state.crater = self.crater()?;
-        self.draw_cut()
     }
 
-    /// The picture, where the scene wants one. Collective.
-    pub(super) fn draw_cut(&self) -> Result<()> {
-        if !self.scene.output.picture {
-            return Ok(());
-        }
-        let source = report::PictureSource {
-            scene: self.scene,
-            stepper: &self.stepper,
-            time: self.state.time,
-            directory: &self.options.directory,
-        };
-        report::draw_cut(&source, self.comm)
-    }
-
+    /// One on the way; that of the end comes after what is worth more. Collective.
     pub(super) fn write_snapshot_if_due(&mut self) -> Result<()> {
-        let Some(interval) = self.scene.output.snapshot_interval else { return Ok(()) };
-        if self.state.time + 1e-9 * interval < self.state.snapshots as f64 * interval {
+        let time = self.state.time;
+        let is_due = |due: Due| due.same(due.next(self.state.snapshot_time, time), time);
+        if !self.due().is_some_and(is_due) || self.is_over() {
             return Ok(());
         }
         self.write_snapshot()
@@ -101,7 +83,8 @@ impl<const D: usize> Run<'_, D> {
     pub(super) fn write_snapshot(&mut self) -> Result<()> {
         let start = Instant::now();
         self.state.snapshots += 1;
-        let name = format!("snapshot_{:04}.vtkhdf", self.state.snapshots);
+        self.state.snapshot_time = Some(self.state.time);
+        let name = snapshot::name(self.state.snapshots);
         let figures = [
             ("energy_drift".to_string(), self.state.conservation.energy_drift()),
             ("momentum_drift".to_string(), self.state.conservation.momentum),

@@ -1,4 +1,4 @@
-//! What a run does about an impact onto ground: asks for the crater, writes its tables and figures.
+//! What a run does about an impact onto ground: asks for the crater, makes its tables and figures.
 
 use std::path::Path;
 
@@ -7,27 +7,29 @@ use crate::error::Result;
 use crate::math::Vec3;
 use crate::outcome::crater::{self, Crater, CraterEvaluation, Question};
 use crate::outcome::profiles::PoresRow;
-use crate::output::agree;
 use crate::output::figures::curves::{Axis, Figure, Mark, Series};
-use crate::output::publish::replace_text;
 use crate::scene::Scene;
 
 impl<const D: usize> Run<'_, D> {
-    /// The crater as it is now, where the scene hits a flat face, with its files. Collective.
-    pub(super) fn crater(&mut self) -> Result<Option<Crater>> {
-        let constants = &self.stepper.settings.constants;
-        let Some(question) = question(self.scene) else { return Ok(None) };
+    /// The crater as it is now, where the scene hits a flat face. Collective.
+    pub(super) fn crater(&self) -> Option<CraterEvaluation> {
+        let question = question(self.scene)?;
         let particles = (&self.stepper.columns, &self.stepper.settings.core);
-        let evaluation = crater::evaluate(self.comm, particles, constants, &question);
-        let files = Files {
-            title: &self.scene.title,
-            directory: &self.options.directory,
-            figures: self.scene.output.picture,
-            dimension: D,
-        };
-        agree(self.comm, if self.comm.is_root() { files.write(&evaluation) } else { Ok(()) })?;
-        Ok(Some(evaluation.crater))
+        Some(crater::evaluate(self.comm, particles, &self.stepper.settings.constants, &question))
     }
+
+    /// ejecta.png, and distention.png of ground with pores; for one rank.
+    pub(super) fn draw_crater(&self, evaluation: &CraterEvaluation) -> Result<()> {
+        let drawer = Drawer { title: &self.scene.title, directory: &self.options.directory, dimension: D };
+        drawer.draw_ejecta(evaluation).and(drawer.draw_pores(evaluation))
+    }
+}
+
+/// Names and contents of the tables.
+pub fn tables(evaluation: &CraterEvaluation) -> Vec<(&'static str, Vec<u8>)> {
+    let mut tables = vec![("ejecta.csv", evaluation.ejecta.table()), ("crater.csv", evaluation.bowl.table())];
+    tables.extend(evaluation.pores.as_ref().map(|pores| ("distention.csv", pores.table())));
+    tables.into_iter().map(|(name, text)| (name, text.into_bytes())).collect()
 }
 
 fn question(scene: &Scene) -> Option<Question> {
@@ -66,28 +68,14 @@ pub fn figures(crater: &Crater) -> Vec<(String, f64)> {
     figures
 }
 
-/// Where and how tables are written; by one rank.
-struct Files<'a> {
+/// Where and under which title figures are drawn.
+struct Drawer<'a> {
     title: &'a str,
     directory: &'a Path,
-    figures: bool,
     dimension: usize,
 }
 
-impl Files<'_> {
-    fn write(&self, evaluation: &CraterEvaluation) -> Result<()> {
-        replace_text(&self.directory.join("ejecta.csv"), &evaluation.ejecta.table())?;
-        replace_text(&self.directory.join("crater.csv"), &evaluation.bowl.table())?;
-        if let Some(pores) = &evaluation.pores {
-            replace_text(&self.directory.join("distention.csv"), &pores.table())?;
-        }
-        if !self.figures {
-            return Ok(());
-        }
-        self.draw_ejecta(evaluation)?;
-        self.draw_pores(evaluation)
-    }
-
+impl Drawer<'_> {
     fn figure(&self, x: (&str, bool), y: (&str, bool), series: Vec<Series>) -> Figure {
         let axis = |(label, logarithmic): (&str, bool)| Axis { label: label.into(), logarithmic };
         Figure { title: self.title.into(), x: axis(x), y: axis(y), series }

@@ -1,19 +1,29 @@
 //! The log: every line goes to the terminal of rank 0 and to the `log.txt` of the run that is going on; `RUST_LOG` filters.
-//! With a terminal attached, one progress bar stays below the lines; batch logs get plain lines from time to time instead.
+//! With a terminal attached, one progress bar stays below the lines; batch logs get plain lines from time to time instead. A
+//! terminal or a pipe that takes no more lines ends nothing: the run's own files are what counts.
 
 use std::fs::File;
 use std::io::{IsTerminal, Write};
-use std::path::Path;
-use std::sync::Mutex;
+use std::os::fd::AsRawFd;
+use std::os::unix::fs::OpenOptionsExt;
+use std::os::unix::process::parent_id;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicI32, Ordering};
+use std::sync::{LazyLock, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use console::Term;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use crate::error::{Result, plain};
+use super::{memory, signals};
+use crate::error::{Error, Result, plain};
 use crate::output::publish::cannot;
 
 static LOG_FILE: Mutex<Option<File>> = Mutex::new(None);
+/// Where it lies, on every rank.
+static LOG_PATH: Mutex<Option<PathBuf>> = Mutex::new(None);
+/// Its descriptor, for who may not wait for a lock; -1 where it is not open.
+static DESCRIPTOR: AtomicI32 = AtomicI32::new(-1);
 static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
 
 /// Writes a line to the terminal, above the bar, and to the log file.
@@ -28,13 +38,10 @@ impl Write for Tee {
         let bar = BAR.lock().unwrap().clone();
         match bar {
             Some(bar) => bar.println(text.trim_end()),
-            None => std::io::stderr().write_all(text.as_bytes())?,
+            None => to_terminal(text.as_bytes()),
         }
-        if self.rank == 0
-            && let Some(file) = LOG_FILE.lock().unwrap().as_mut()
-        {
-            // A full disk must not stop the log on the terminal; the run's own files report it.
-            let _ = file.write_all(text.as_bytes());
+        if self.rank == 0 {
+            to_open_file(text.as_bytes());
         }
         Ok(bytes.len())
     }
@@ -44,8 +51,64 @@ impl Write for Tee {
     }
 }
 
+/// What hands this process's lines on, and ends with all ranks where it finds that nobody reads them any more.
+static LAUNCHER: LazyLock<Option<u32>> = LazyLock::new(|| signals::launcher(parent_id()));
+
+/// Whether somebody reads what goes into the standard error of the launcher, if that is a pipe.
+fn is_read() -> bool {
+    let Some(launcher) = *LAUNCHER else { return true };
+    let path = PathBuf::from(format!("/proc/{launcher}/fd/2"));
+    if !std::fs::read_link(&path).is_ok_and(|to| to.to_string_lossy().starts_with("pipe:")) {
+        return true;
+    }
+    // A pipe without a reader cannot be opened for writing, unless one waits for a reader.
+    let open = File::options().write(true).custom_flags(libc::O_NONBLOCK).open(path);
+    !open.is_err_and(|e| e.raw_os_error() == Some(libc::ENXIO))
+}
+
+fn to_terminal(bytes: &[u8]) {
+    if is_read() {
+        let _ = std::io::stderr().write_all(bytes);
+    }
+}
+
+/// A full disk must not stop the log on the terminal; the run's own files report it.
+fn to_open_file(bytes: &[u8]) {
+    if let Some(file) = LOG_FILE.lock().unwrap_or_else(PoisonError::into_inner).as_mut() {
+        let _ = file.write_all(bytes);
+    }
+}
+
+/// An error: one line on the terminal, and in the log of the run that is going on. For the rank that speaks.
+pub fn error(error: &Error) {
+    let line = format!("error: {}\n", plain(&error.to_string()));
+    to_terminal(line.as_bytes());
+    to_open_file(line.as_bytes());
+}
+
+/// Has every panic leave its line in the log of the run, whatever the rank.
+fn note_panics(rank: usize) {
+    let next = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |info| {
+        // A thread that panics may hold the lock.
+        if let Ok(path) = LOG_PATH.try_lock()
+            && let Some(mut file) = path.as_ref().and_then(|path| File::options().append(true).open(path).ok())
+        {
+            let _ = writeln!(file, "error: rank {rank} {}", info.to_string().replace('\n', " "));
+        }
+        next(info);
+    }));
+}
+
+/// The descriptor of the open log; -1 where none is.
+pub fn descriptor() -> i32 {
+    DESCRIPTOR.load(Ordering::Relaxed)
+}
+
 /// Starts logging on this rank: rank 0 speaks, the others only warn; `quiet` leaves errors.
 pub fn start(rank: usize, quiet: bool) {
+    memory::name_rank(rank);
+    note_panics(rank);
     let default = match (rank, quiet) {
         (_, true) => "error",
         (0, false) => "info",
@@ -62,12 +125,23 @@ pub fn start(rank: usize, quiet: bool) {
         .init();
 }
 
-/// From now on lines also go to `path`, on rank 0. A run that is resumed goes on without where that cannot be.
-pub fn to_file(path: &Path, resumed: bool) -> Result<()> {
-    match File::options().create(true).write(true).append(resumed).truncate(!resumed).open(path) {
-        Ok(file) => *LOG_FILE.lock().unwrap() = Some(file),
+/// From now on lines also go to `path`, on the rank that `speaks`; the others know where it is. A run that is resumed goes on without
+/// where that cannot be.
+pub fn to_file(path: &Path, resumed: bool, speaks: bool) -> Result<()> {
+    *LOG_PATH.lock().unwrap_or_else(PoisonError::into_inner) = Some(path.to_path_buf());
+    if !speaks {
+        return Ok(());
+    }
+    // Lines of other ranks stand between those of this one.
+    let opened = File::options().create(true).append(true).open(path);
+    let emptied = opened.and_then(|file| if resumed { Ok(file) } else { file.set_len(0).map(|()| file) });
+    let mut open = LOG_FILE.lock().unwrap_or_else(PoisonError::into_inner);
+    DESCRIPTOR.store(emptied.as_ref().map_or(-1, AsRawFd::as_raw_fd), Ordering::Relaxed);
+    match emptied {
+        Ok(file) => *open = Some(file),
         Err(error) if resumed => {
-            *LOG_FILE.lock().unwrap() = None;
+            *open = None;
+            drop(open);
             tracing::warn!("{} cannot be gone on with: {error}", path.display());
         }
         Err(error) => return Err(cannot("write", path, error)),

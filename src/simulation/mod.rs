@@ -3,13 +3,16 @@
 mod collapse;
 pub mod compare;
 pub mod directory;
+mod due;
 pub mod faults;
 mod files;
+mod finish;
 pub mod footprint;
 mod ground;
 pub mod late;
 pub mod lock;
 pub mod log;
+pub mod memory;
 pub mod modes;
 mod nbody;
 pub mod probes;

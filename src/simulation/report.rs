@@ -8,14 +8,12 @@ use crate::domain::comm::Comm;
 use crate::error::Result;
 use crate::material::MaterialEffect;
 use crate::math::Vec3;
+use crate::outcome::Outcome;
 use crate::outcome::crater::Crater;
-use crate::outcome::distributions::distributions;
-use crate::outcome::{Evaluation, Outcome};
 use crate::output::figures::cut::{self, Picture};
 use crate::output::figures::raster::Plane;
-use crate::output::publish::replace_text;
 use crate::output::summary::{Accuracy, Figures, Remnants};
-use crate::output::{Cell, Summary, agree, state_hash};
+use crate::output::{Cell, Summary, state_hash};
 use crate::scene::Scene;
 use crate::step::packing::Packing;
 use crate::step::phases::{NAMES, Phase};
@@ -91,17 +89,6 @@ pub fn history_row(
     };
     cells.extend(vectors.iter().chain(&totals.potential).chain(&held).chain(&totals.effects).map(|x| Cell::Real(*x)));
     cells
-}
-
-/// fragments.csv, sizes.csv and velocities.csv. Collective.
-pub fn write_distributions(evaluation: &Evaluation, dimension: usize, directory: &Path, comm: &Comm) -> Result<()> {
-    let tables = distributions(comm, evaluation, dimension);
-    let write = || {
-        replace_text(&directory.join("fragments.csv"), &tables.fragments)?;
-        replace_text(&directory.join("sizes.csv"), &tables.sizes)?;
-        replace_text(&directory.join("velocities.csv"), &tables.velocities)
-    };
-    agree(comm, if comm.is_root() { write() } else { Ok(()) })
 }
 
 /// What a picture is made from.

@@ -6,8 +6,8 @@ use super::run::{Ended, Run, RunReport};
 use crate::error::Result;
 use crate::outcome::settled::Settled;
 use crate::output::publish::cannot;
-use crate::output::{Summary, agree};
-use crate::scene::{Scene, Until};
+use crate::output::{Summary, agree, snapshot};
+use crate::scene::{Scene, Snapshots, Until};
 
 /// The summary of a run up to an end that was moved later since.
 const PREVIOUS_SUMMARY: &str = "summary_previous.json";
@@ -63,10 +63,13 @@ impl<const D: usize> Run<'_, D> {
     /// Whether what comes after the last checkpoint is there: a disk may have been full. Collective.
     fn has_its_files(&self) -> bool {
         let scene = self.scene;
-        let wanted = [
+        // Written after the checkpoint, which does not count it.
+        let last = snapshot::name(self.state.snapshots + 1);
+        let wanted: [(&str, bool); 4] = [
             ("outcome.png", scene.output.picture),
             ("fragments.csv", scene.impact.is_some() && !scene.hits_ground()),
             ("nbody.csv", scene.nbody.is_some()),
+            (&last, scene.output.snapshots != Snapshots::Never && self.state.snapshot_time != Some(self.state.time)),
         ];
         let lacks = |(name, wanted): &(&str, bool)| *wanted && !self.options.directory.join(name).exists();
         let mut lacking = [(self.comm.is_root() && wanted.iter().any(lacks)) as i64];

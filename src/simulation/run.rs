@@ -5,24 +5,26 @@ use std::time::Instant;
 
 use super::collapse::Collapse;
 use super::compare::Comparison;
+use super::due;
 use super::faults::{Asks, Fault};
+use super::finish::Products;
 use super::footprint::Footprint;
 use super::late::free_fall_time;
 use super::log::Progress;
 use super::probes;
-use super::report::{self, Report};
+use super::report;
 use super::resources;
 use super::restart;
 use super::setup;
 use super::signals;
-use super::state::{Conservation, End, RunState, Spent};
+use super::state::{Conservation, RunState, Spent};
 use super::warnings;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::material::porosity::DISTENTION;
 use crate::outcome::Outcome;
 use crate::output::publish::replace_text;
-use crate::output::summary::{Accuracy, Figures};
+use crate::output::summary::Accuracy;
 use crate::output::{History, Summary, agree, checkpoint};
 use crate::particles::ParticleId;
 use crate::scene::{Scene, Until};
@@ -96,6 +98,8 @@ pub(super) struct Run<'a, const D: usize> {
     pub(super) packing: Vec<Packing>,
     /// What failed on this rank alone.
     pub(super) failed: Option<Error>,
+    /// What is to be written of an outcome.
+    pub(super) products: Products,
     /// The step at which the run is to stop before its end.
     pub(super) last: Option<u64>,
     pub(super) collapse: Collapse,
@@ -109,8 +113,7 @@ impl<'a, const D: usize> Run<'a, D> {
         let started = Instant::now();
         let (cpu_at_start, wait_at_start) = (resources::cpu_seconds(), comm.wait_seconds());
         let wait_cpu_at_start = comm.wait_cpu_seconds();
-        let log = || super::log::to_file(&options.directory.join("log.txt"), options.resume);
-        agree(comm, if comm.is_root() { log() } else { Ok(()) })?;
+        agree(comm, super::log::to_file(&options.directory.join("log.txt"), options.resume, comm.is_root()))?;
         if let Some(choice) = &options.accuracy {
             tracing::info!("{choice}");
         }
@@ -183,6 +186,7 @@ impl<'a, const D: usize> Run<'a, D> {
             comparison,
             packing: Vec::new(),
             failed: None,
+            products: Products::default(),
             last: None,
             collapse: Collapse::default(),
             limit: (Limit { id: ParticleId(0), ..Limit::NONE }, ""),
@@ -199,6 +203,7 @@ impl<'a, const D: usize> Run<'a, D> {
             conservation: Conservation::new(&first),
             snapshots: 0,
             settled: restart::settling(scene, first.kinetic_in_centre_of_mass()),
+            snapshot_time: None,
             reaccumulated: None,
             late: None,
             vibration: Vec::new(),
@@ -220,15 +225,15 @@ impl<'a, const D: usize> Run<'a, D> {
         if self.state.counters.steps == 0 {
             self.sample_vibration();
             self.write_history();
-            self.write_snapshot_if_due()?;
         }
+        self.write_snapshot_if_due()?;
         while !self.is_over() {
-            let dt = self.next_step();
+            let (dt, then) = self.next_step();
             let agreed = match self.stepper.step(dt, self.wish()) {
                 Ok(agreed) => agreed,
                 Err(failure) => return Err(self.go_back(&failure)),
             };
-            self.state.time += dt;
+            self.state.time = then;
             self.state.dt = agreed.dt;
             self.state.counters = self.stepper.counters;
             let steps = self.state.counters.steps;
@@ -243,28 +248,32 @@ impl<'a, const D: usize> Run<'a, D> {
                 return Err(self.go_back(&failure));
             }
             self.write_snapshot_if_due()?;
-            if agreed.signal == FAILED {
-                agree(self.comm, self.failed.take().map_or(Ok(()), Err))?;
-            }
             if agreed.signal >= WANTS_CHECKPOINT {
-                self.write_checkpoint()?;
+                let saved = self.write_checkpoint();
+                // What failed before says more than that its consequences do.
+                agree(self.comm, self.failed.take().map_or(Ok(()), Err)).and(saved)?;
             }
             if agreed.signal >= WANTS_STOP {
+                self.write_products()?;
                 if self.comm.is_root() {
                     tracing::warn!("stopped at step {steps}, t = {:e} s; --resume goes on", self.state.time);
                 }
-                return self.report(Ended::Interrupted, Figures::default(), None);
+                return Ok(self.report(Ended::Interrupted));
             }
         }
         drop(progress);
-        agree(self.comm, self.failed.take().map_or(Ok(()), Err))?;
         self.finish()
     }
 
-    /// Seconds of the next step; the last one ends on the dot.
-    fn next_step(&self) -> f64 {
-        let until = |dt: f64, end: Option<f64>| end.map_or(dt, |end| dt.min(end - self.state.time));
-        until(until(self.state.dt, self.late_time()), self.end_time())
+    /// Seconds of the next step, and the time after it: the last one ends on the dot, and so does one before a snapshot.
+    fn next_step(&self) -> (f64, f64) {
+        let (most, time) = (self.state.dt, self.state.time);
+        let stop = self.late_time().into_iter().chain(self.end_time()).fold(f64::INFINITY, f64::min);
+        let Some(due) = self.due() else {
+            return if stop - time <= most { (stop - time, stop) } else { (most, time + most) };
+        };
+        let next = due.next(self.state.snapshot_time, time);
+        due::lead(most, time, if next < stop && !due.same(next, stop) { next } else { stop })
     }
 
     /// When the run is known to end, s.
@@ -341,7 +350,7 @@ impl<'a, const D: usize> Run<'a, D> {
         }
     }
 
-    fn note_totals(&mut self) -> Result<()> {
+    pub(super) fn note_totals(&mut self) -> Result<()> {
         self.totals = self.stepper.totals();
         self.state.conservation.note(&self.totals, self.state.time);
         self.sample_vibration();
@@ -369,14 +378,6 @@ impl<'a, const D: usize> Run<'a, D> {
         self.state.vibration.extend(comparison.sample(&self.stepper, self.state.time, self.comm));
     }
 
-    /// Errors against the solution that the scene names, with their figures. Collective.
-    fn errors(&self) -> Result<Figures> {
-        let Some(comparison) = &self.comparison else { return Ok(Figures::default()) };
-        let noted = (self.state.time, self.state.conservation.angular_momentum, &self.state.vibration[..]);
-        let directory = self.scene.output.picture.then_some(&self.options.directory);
-        comparison.finish(&self.stepper, noted, directory.map(|path| path.as_path()), self.comm)
-    }
-
     /// Share of the run that is done, for the bar.
     fn done(&self) -> f64 {
         let end = match (&self.state.settled, self.end_time()) {
@@ -401,58 +402,5 @@ impl<'a, const D: usize> Run<'a, D> {
             self.scene.bodies.get(limit.id.body()).map_or("", |body| &body.name),
             limit.id.site(),
         )
-    }
-
-    fn finish(mut self) -> Result<RunReport> {
-        // A run may come back from its last checkpoint for what was not written any more.
-        let again = self.state.end.clone();
-        if again.is_none() && self.state.counters.steps % self.scene.output.history_every != 0 {
-            self.note_totals()?;
-        }
-        self.note_packing();
-        let at_end = again.as_ref().map_or(!self.state.has_outcome(), |end| end.has_outcome);
-        let mut later = None;
-        match self.scene.impact.is_some() {
-            true if at_end => self.take_outcome()?,
-            true if again.is_some() || self.scene.reaccumulates() || self.scene.hits_ground() => {}
-            true => later = Some(self.evaluate_outcome().outcome),
-            false => self.draw_cut()?,
-        }
-        if again.is_none() {
-            if self.scene.output.snapshot_interval.is_some() {
-                self.write_snapshot()?;
-            }
-            self.state.end = Some(End { has_outcome: at_end, later });
-            self.write_checkpoint()?;
-        }
-        let errors = self.errors()?;
-        let nbody = self.write_nbody()?;
-        self.report(Ended::Finished, errors, nbody)
-    }
-
-    fn report(self, ended: Ended, errors: Figures, nbody: Option<Figures>) -> Result<RunReport> {
-        let spent = self.spent();
-        let later = self.state.end.as_ref().and_then(|end| end.later.clone());
-        let summary = report::summarise(&Report {
-            scene: self.scene,
-            stepper: &self.stepper,
-            state: &self.state,
-            totals: &self.totals,
-            later: later.as_ref(),
-            packing: &self.packing,
-            spent,
-            errors,
-            nbody,
-            resident_at_start: self.options.resident_at_start,
-            accuracy: self.options.accuracy.as_ref(),
-            comm: self.comm,
-        });
-        if ended == Ended::Finished {
-            summary.write(&self.options.directory.join("summary.json"), self.comm)?;
-            let said = warnings::of_scene(self.scene).len();
-            let crater = self.state.crater.as_ref();
-            report::print(&summary, (crater, said), &self.options.directory, self.comm.is_root());
-        }
-        Ok(RunReport { ended, summary, outcome: self.state.outcome, later })
     }
 }

@@ -96,6 +96,9 @@ pub struct RunState {
     pub conservation: Conservation,
     /// Snapshots written.
     pub snapshots: u32,
+    /// The time of the last one, s.
+    #[serde(default)]
+    pub snapshot_time: Option<f64>,
     pub settled: Option<Settled>,
     /// The largest remnant, once the shock has left, where gravity decides about the end.
     #[serde(default)]

@@ -118,6 +118,19 @@ impl Job {
         descendants(self.child.id()).into_iter().for_each(|pid| send(pid, signal));
     }
 
+    /// Sends `signal` to one process of the ranks, the first by its number or the last.
+    pub fn signal_one(&self, last: bool, signal: i32) {
+        let mut processes = self.processes();
+        processes.sort_unstable();
+        let one = if last { processes.last() } else { processes.first() };
+        send(*one.expect("a rank"), signal);
+    }
+
+    /// The processes of the ranks.
+    pub fn processes(&self) -> Vec<u32> {
+        descendants(self.child.id())
+    }
+
     /// Waits until `ready` says so; the test fails when the job ends or its time is up before.
     pub fn wait_until(&mut self, what: &str, mut ready: impl FnMut() -> bool) {
         while !ready() {
@@ -327,6 +340,36 @@ smoothing_length = { follows = "density" }
 until = "2 s"
 
 [output]
+picture = false
+"#;
+
+/// Two balls of thin gas that fly into each other after a while. Its first steps are long, as nothing has happened yet.
+pub const GAS_BALLS: &str = r#"
+title = "Gas at rest, then struck"
+
+[[body]]
+name = "a"
+shape = { sphere = { radius = "1 m" } }
+material = "ideal_gas"
+density = 1
+internal_energy = 1
+particles = 100
+
+[[body]]
+name = "b"
+shape = { sphere = { radius = "1 m" } }
+material = "ideal_gas"
+density = 1
+internal_energy = 1
+particles = 100
+position = [6, 0, 0]
+velocity = [-20, 0, 0]
+
+[run]
+until = "0.5 s"
+
+[output]
+history_every = 1
 picture = false
 "#;
 

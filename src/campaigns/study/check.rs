@@ -45,7 +45,6 @@ pub fn check(study: &Study, ranks: usize, network: Option<(f64, f64)>, comm: &Co
     let mut text = format!("{}\n{} of {}\n", study.settings.title, study.path, study.scene_path);
     let _ = writeln!(text, "{}, {} settings\n", study.settings.measure.describe(), study.names.len());
     text += &aligned(&rows);
-    text += &study.points.first().map_or(String::new(), |point| cost::warnings(&point.scene));
     let s = if ranks == 1 { "" } else { "s" };
     let _ = writeln!(
         text,

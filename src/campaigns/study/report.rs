@@ -7,24 +7,26 @@ use super::analysis::{Analysis, Cheapest, Cost, Found, Setting};
 use super::pareto::{Known, Price};
 use super::thresholds;
 use crate::error::{Error, Result};
+use crate::output::figures::or_warn;
 use crate::output::figures::trade_off::{Curve, TradeOff};
 use crate::output::publish::replace_text;
 use crate::warning;
 
-/// All files, for one rank.
+/// All files, for one rank; pictures last.
 pub fn write(analysis: &Analysis, directory: &Path) -> Result<()> {
     let json = serde_json::to_string_pretty(analysis).map_err(|e| Error::new(e.to_string()))?;
+    replace_text(&directory.join("study.json"), &(json + "\n"))?;
     replace_text(&directory.join("study.csv"), &table(analysis))?;
     replace_text(&directory.join("study.md"), &page(analysis))?;
     if has_errors(analysis) {
         for (cost, name) in [(Cost::CoreSeconds, "core_seconds"), (Cost::Pairs, "pairs")] {
-            figure(analysis, cost).draw(&directory.join(format!("error_{name}.png")))?;
+            or_warn(figure(analysis, cost).draw(&directory.join(format!("error_{name}.png"))));
         }
     }
     if analysis.thresholds.iter().any(|row| row.q_star_d.is_some()) {
-        thresholds::figure(&analysis.title, &analysis.thresholds).draw(&directory.join("q_star.png"))?;
+        or_warn(thresholds::figure(&analysis.title, &analysis.thresholds).draw(&directory.join("q_star.png")));
     }
-    replace_text(&directory.join("study.json"), &(json + "\n"))
+    Ok(())
 }
 
 fn has_errors(analysis: &Analysis) -> bool {

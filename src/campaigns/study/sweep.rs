@@ -1,7 +1,5 @@
 //! The runs of a study, one after another in one job, or one of them in a task of a job array.
 
-use std::path::Path;
-
 use super::analysis::Analysis;
 use super::points::{Point, Study};
 use super::record::{self, Record};
@@ -151,7 +149,6 @@ impl Sweep<'_> {
 
     /// What the study says itself goes to its own log.
     fn log_here(&self) -> Result<()> {
-        let log = |directory: &Path| log::to_file(&directory.join("log.txt"), true);
-        agree(self.comm, if self.comm.is_root() { log(&self.options.directory) } else { Ok(()) })
+        agree(self.comm, log::to_file(&self.options.directory.join("log.txt"), true, self.comm.is_root()))
     }
 }

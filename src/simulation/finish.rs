@@ -1,0 +1,180 @@
+//! The end of a run. What would be worst to lose comes first: the checkpoint, then summary.json. The last snapshot, tables and
+//! pictures follow, all of them, whatever becomes of the others; a picture that fails is worth a warning, a table an error.
+
+use std::path::Path;
+
+use super::ground;
+use super::report::{self, Report};
+use super::run::{Ended, Run, RunReport};
+use super::state::End;
+use super::warnings;
+use crate::error::{Error, Result};
+use crate::outcome::crater::CraterEvaluation;
+use crate::outcome::distributions::distributions;
+use crate::outcome::origin;
+use crate::output::figures::or_warn;
+use crate::output::publish::replace;
+use crate::output::summary::Figures;
+use crate::output::{Summary, agree};
+use crate::scene::Snapshots;
+
+/// What is still to be written of an outcome.
+#[derive(Default)]
+pub(super) struct Products {
+    /// Names and contents of files; contents are rank 0's.
+    pub tables: Vec<(&'static str, Vec<u8>)>,
+    /// To be drawn.
+    crater: Option<CraterEvaluation>,
+    /// Whether the cut is to be drawn.
+    cut: bool,
+}
+
+impl Products {
+    /// All files that can be written; the first error. For one rank.
+    fn write_tables(&self, directory: &Path) -> Result<()> {
+        let write = |(name, bytes): &(&str, Vec<u8>)| replace(&directory.join(name), bytes);
+        self.tables.iter().map(write).fold(Ok(()), Result::and)
+    }
+}
+
+impl<const D: usize> Run<'_, D> {
+    /// The outcome that counts, with its files, unless they are to wait as the run is over. Collective.
+    pub(super) fn take_outcome(&mut self) -> Result<()> {
+        self.state.outcome_time = self.state.time;
+        if !self.scene.hits_ground() {
+            let mut evaluation = self.evaluate_outcome();
+            let masses: Vec<f64> = self.scene.bodies.iter().map(|body| body.mass()).collect();
+            let asked = (&evaluation, &self.question());
+            evaluation.outcome.bodies = origin::by_body(self.comm, &self.particles(), asked, &masses);
+            let tables = distributions(self.comm, &evaluation, D);
+            let named = [
+                ("fragments.csv", tables.fragments),
+                ("sizes.csv", tables.sizes),
+                ("velocities.csv", tables.velocities),
+            ];
+            self.products.tables.extend(named.map(|(name, text)| (name, text.into_bytes())));
+            self.state.outcome = Some(evaluation.outcome);
+        }
+        if let Some(evaluation) = self.crater() {
+            self.products.tables.extend(ground::tables(&evaluation));
+            self.state.crater = Some(evaluation.crater.clone());
+            self.products.crater = Some(evaluation);
+        }
+        self.products.cut = true;
+        if self.is_over() { Ok(()) } else { self.write_products() }
+    }
+
+    /// Writes the tables and draws the pictures that wait. Collective.
+    pub(super) fn write_products(&mut self) -> Result<()> {
+        let (products, directory) = (std::mem::take(&mut self.products), &self.options.directory);
+        let root = self.comm.is_root();
+        let written = agree(self.comm, if root { products.write_tables(directory) } else { Ok(()) });
+        if self.scene.output.picture {
+            if let Some(evaluation) = products.crater.filter(|_| root) {
+                or_warn(self.draw_crater(&evaluation));
+            }
+            let drawn = if products.cut { self.draw_cut() } else { Ok(()) };
+            if root {
+                or_warn(drawn);
+            }
+        }
+        written
+    }
+
+    /// outcome.png. Collective.
+    fn draw_cut(&self) -> Result<()> {
+        let source = report::PictureSource {
+            scene: self.scene,
+            stepper: &self.stepper,
+            time: self.state.time,
+            directory: &self.options.directory,
+        };
+        report::draw_cut(&source, self.comm)
+    }
+
+    /// Errors against the solution that the scene names; their figures go into the directory that is given. Collective.
+    fn errors(&self, directory: Option<&Path>) -> Result<Figures> {
+        let Some(comparison) = &self.comparison else { return Ok(Figures::default()) };
+        let noted = (self.state.time, self.state.conservation.angular_momentum, &self.state.vibration[..]);
+        comparison.finish(&self.stepper, noted, directory, self.comm)
+    }
+
+    /// Evaluates what there is to evaluate, and writes it. Where a run is resumed at its very end, the same files come again.
+    /// Collective.
+    pub(super) fn finish(mut self) -> Result<RunReport> {
+        // A run may come back from its last checkpoint for what was not written any more.
+        let again = self.state.end.clone();
+        if again.is_none() && self.state.counters.steps % self.scene.output.history_every != 0 {
+            self.note_totals()?;
+        }
+        self.note_packing();
+        let settled_now = self.state.outcome_time == self.state.time;
+        let at_end = again.as_ref().map_or(!self.state.has_outcome(), |end| end.has_outcome);
+        let mut later = None;
+        match self.scene.impact.is_some() {
+            true if at_end || (settled_now && self.products.tables.is_empty()) => self.take_outcome()?,
+            true if again.is_some() || settled_now || self.scene.reaccumulates() || self.scene.hits_ground() => {}
+            true => later = Some(self.evaluate_outcome().outcome),
+            false => self.products.cut = true,
+        }
+        let (errors, nbody) = (self.errors(None), self.nbody());
+        let saved = match again {
+            Some(_) => Ok(()),
+            None => {
+                self.state.end = Some(End { has_outcome: at_end, later });
+                self.write_checkpoint()
+            }
+        };
+        let snapshot =
+            self.scene.output.snapshots != Snapshots::Never && self.state.snapshot_time != Some(self.state.time);
+        // After a checkpoint that failed, room for a snapshot is not to be had, nor an HDF5 that can be relied on.
+        let snapshot = snapshot && saved.is_ok();
+        let summary = self.summary(errors.clone().unwrap_or_default(), nbody);
+        let path = self.options.directory.join("summary.json");
+        let told = saved.and(errors.and_then(|_| summary.write(&path, self.comm)));
+        let failed = agree(self.comm, self.failed.take().map_or(Ok(()), Err));
+        let safe = told.is_ok();
+        let shown = if snapshot { self.write_snapshot() } else { Ok(()) };
+        let written = self.write_products();
+        if self.scene.output.picture && self.comparison.is_some() {
+            let drawn = self.errors(Some(&self.options.directory)).map(|_| ());
+            if self.comm.is_root() {
+                or_warn(drawn);
+            }
+        }
+        let said = (self.state.crater.as_ref(), warnings::of_scene(self.scene).len());
+        report::print(&summary, said, &self.options.directory, self.comm.is_root());
+        told.and(failed).and(shown).and(written).map_err(|error| match safe {
+            true => Error { what: error.what + "; the last checkpoint and summary.json are written", ..error },
+            false => error,
+        })?;
+        Ok(self.report_of(Ended::Finished, summary))
+    }
+
+    /// What a run found that is to end here. Collective.
+    pub(super) fn report(self, ended: Ended) -> RunReport {
+        let summary = self.summary(Figures::default(), None);
+        self.report_of(ended, summary)
+    }
+
+    fn report_of(self, ended: Ended, summary: Summary) -> RunReport {
+        RunReport { ended, summary, outcome: self.state.outcome, later: self.state.end.and_then(|end| end.later) }
+    }
+
+    fn summary(&self, errors: Figures, nbody: Option<Figures>) -> Summary {
+        report::summarise(&Report {
+            scene: self.scene,
+            stepper: &self.stepper,
+            state: &self.state,
+            totals: &self.totals,
+            later: self.state.end.as_ref().and_then(|end| end.later.as_ref()),
+            packing: &self.packing,
+            spent: self.spent(),
+            errors,
+            nbody,
+            resident_at_start: self.options.resident_at_start,
+            accuracy: self.options.accuracy.as_ref(),
+            comm: self.comm,
+        })
+    }
+}
