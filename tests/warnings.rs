@@ -128,7 +128,7 @@ fn paths_that_hardly_overlap_are_warned_about() {
 fn a_study_says_what_its_points_warn_of() {
     let dir = folder();
     fs::write(dir.path().join("scene.toml"), IMPACT).expect("a scene");
-    let study = "[study]\nscene = \"scene.toml\"\nerror = \"time\"\nvalue = 1\n[study.set]\nrun.steps = 2\nrun.until = \"settled\"\n\
+    let study = "[study]\nscene = \"scene.toml\"\nerror = \"outcome.largest_remnant_fraction\"\nvalue = 1\n[study.set]\nrun.steps = 2\nrun.until = \"settled\"\n\
                  [study.vary]\nprojectile.radius = [\"40 m\", \"400 m\", \"50 m\"]\n";
     fs::write(dir.path().join("study.toml"), study).expect("a study");
     let go = r#"cd "$HERE" && exec "$0" study.toml --out run "$@""#;
@@ -191,27 +191,33 @@ repeats = 0
 #[test]
 fn a_search_counts_the_drift_of_its_impacts() {
     let dir = folder();
-    let (good, _) = run(&dir, SEARCH, &[]);
-    let part = |summary: &Value, name: &str| summary["threshold"]["uncertainty_parts"][name].as_f64().expect("a part");
-    assert_eq!(part(&good, "drift"), 0.0);
-    assert!(!kinds(&good).contains(&"energy"), "{good}");
-    // The same search, had its impacts gained a tenth of the energy that is left.
-    let path = dir.path().join("run/impacts.json");
-    let mut impacts: Value = read(&path);
-    for impact in impacts.as_array_mut().expect("impacts") {
-        impact["price"]["energy_drift_over_left"] = 0.1.into();
-        impact["warnings"] = serde_json::json!([{ "kind": "energy", "text": "it drifts" }]);
-    }
-    fs::write(&path, impacts.to_string()).expect("impacts");
-    fs::remove_file(dir.path().join("run/summary.json")).expect("it is made anew");
-    let (drifting, log) = run(&dir, SEARCH, &["--resume"]);
-    let q_star = drifting["threshold"]["q_star_d"].as_f64().expect("Q*_D");
-    assert!((part(&drifting, "drift") / (0.1 * q_star) - 1.0).abs() < 1e-12);
-    let of = |summary: &Value| summary["threshold"]["uncertainty"].as_f64().expect("an uncertainty");
-    let expected = (of(&good).powi(2) + (0.1 * q_star).powi(2)).sqrt();
-    assert!((of(&drifting) / expected - 1.0).abs() < 1e-12);
-    assert!(log.contains("J/kg for the drift of energy") && last_line(&log).contains("energy"), "{log}");
-    assert_eq!(kinds(&drifting), ["energy"]);
+    run(&dir, SEARCH, &[]);
+    // The same search, had its impacts drifted by nothing, and by a tenth of the energy that is left.
+    let [good, drifting] = [0.0, 0.1].map(|drift: f64| {
+        let path = dir.path().join("run/impacts.json");
+        let mut impacts: Value = read(&path);
+        for impact in impacts.as_array_mut().expect("impacts") {
+            let warnings = [serde_json::json!({ "kind": "energy", "text": "it drifts" })];
+            impact["price"]["energy_drift_over_left"] = drift.into();
+            impact["warnings"] = Value::from(&warnings[..(drift > 0.0) as usize]);
+        }
+        fs::write(&path, impacts.to_string()).expect("impacts");
+        fs::remove_file(dir.path().join("run/summary.json")).expect("it is made anew");
+        run(&dir, SEARCH, &["--resume"])
+    });
+    let threshold = |run: &(Value, String), name: &str| run.0["threshold"][name].as_f64().expect("a number");
+    let part = |run: &(Value, String)| run.0["threshold"]["uncertainty_parts"]["drift"].as_f64().expect("a part");
+    let q_star = threshold(&good, "q_star_d");
+    assert_eq!(threshold(&drifting, "q_star_d"), q_star);
+    assert_eq!(part(&good), 0.0);
+    assert!((part(&drifting) / (0.1 * q_star) - 1.0).abs() < 1e-12);
+    let expected = (threshold(&good, "uncertainty").powi(2) + (0.1 * q_star).powi(2)).sqrt();
+    assert!((threshold(&drifting, "uncertainty") / expected - 1.0).abs() < 1e-12);
+    assert!(kinds(&good.0).is_empty() && last_line(&good.1).ends_with("run"), "{}", good.1);
+    assert_eq!(kinds(&drifting.0), ["energy"]);
+    let log = &drifting.1;
+    assert!(log.contains("J/kg for the drift of energy") && log.contains("WARN energy: "), "{log}");
+    assert!(last_line(log).ends_with("; 1 warning: energy"), "{log}");
 }
 
 fn read(path: &Path) -> Value {

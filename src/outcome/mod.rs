@@ -226,7 +226,7 @@ pub fn evaluate(comm: &Comm, particles: &[Particle], question: &Question) -> Eva
         _ => with_strict_links(&Remnants::find(comm, particles, &scale, &strict, question)),
     };
     let others: Vec<bool> = usual.free.iter().zip(&usual.in_largest).map(|(free, member)| *free && !member).collect();
-    let second = usual.largest_of(comm, &others, question).0;
+    let second = usual.largest_of(comm, &others, question, &|piece| question.counted(piece)).0;
     let outcome = Outcome {
         target_mass: question.target_mass,
         total_mass,
@@ -272,20 +272,20 @@ impl Remnants {
         let free = free(comm, &pieces, question);
         let fragments = count[0] as u64;
         let mut found = Self { pieces, free, in_largest: Vec::new(), mass: 0.0, largest_fragment, fragments };
-        (found.mass, found.in_largest) = found.largest_of(comm, &found.free, question);
+        (found.mass, found.in_largest) = found.largest_of(comm, &found.free, question, &|piece| question.rank(piece));
         found
     }
 
-    /// Mass and members of the largest remnant among free pieces.
-    fn largest_of(&self, comm: &Comm, free: &[bool], question: &Question) -> (f64, Vec<bool>) {
+    /// What counts and members of the largest remnant by `rank` among free pieces.
+    fn largest_of(&self, comm: &Comm, free: &[bool], question: &Question, rank: bound::Rank) -> (f64, Vec<bool>) {
         if question.dimension == 3 {
-            let members = bound::largest(comm, &self.pieces, free, &|piece| question.rank(piece)).members;
+            let members = bound::largest(comm, &self.pieces, free, rank).members;
             let mut sum = [ExactSum::new()];
             let mine = self.pieces.iter().zip(&members).filter(|(_, member)| **member);
             mine.for_each(|(piece, _)| sum[0].add(question.counted(piece)));
             return (all_values(comm, &mut sum)[0], members);
         }
-        let figures = (0..free.len()).filter(|&i| free[i]).map(|i| (question.rank(&self.pieces[i]), i));
+        let figures = (0..free.len()).filter(|&i| free[i]).map(|i| (rank(&self.pieces[i]), i));
         let label = bound::best(comm, &self.pieces, figures);
         let members: Vec<bool> = self.pieces.iter().map(|piece| Some(piece.label) == label).collect();
         (counted(comm, &self.pieces, label, question), members)
