@@ -326,8 +326,8 @@ fn touch(changes: &[&str], (end, steps): (f64, u64), comm: &Comm) -> Contact {
     contact
 }
 
-/// Both at the same pressure: nothing moves. Without the shares of a pair rounding grows until, after 400 steps, there is a hundred times the
-/// energy of the start, and gas with 6e5 m/s.
+/// Both at the same pressure: nothing moves. Without the shares of a pair rounding grows until, after 400 steps, gas flies
+/// with 4e5 m/s and more, and as much energy as at the start has come from nowhere.
 #[test]
 fn gas_rests_beside_rock() {
     ranks(1, "hard_rubble::gas_rests_beside_rock", |comm| {
@@ -337,7 +337,7 @@ fn gas_rests_beside_rock() {
         let pressure = [contact.pressure, contact.touching].concat();
         assert!(pressure.iter().all(|p| (p / 1e5 - 1.0).abs() < 0.01), "{contact:?}");
         let plain = touch(&["numerics.density_contrast=false"], (1e-4, 400), comm);
-        assert!(plain.fastest > 1e5 && plain.drift > 10.0, "the defect is gone: {plain:?}");
+        assert!(plain.fastest > 1e5 && plain.drift > 0.1, "the defect is gone: {plain:?}");
     });
 }
 
@@ -383,7 +383,7 @@ fn pressed_rock_lets_go_into_gas() {
         // Elastic all the way: the wave is faster by that of shear, and pressure gives less speed.
         check(&strong, free / (1.0f64 + 4.0 / 3.0 * 22.7 / 26.7).sqrt());
         let plain = touch(&[pressed, "numerics.density_contrast=false"], (2e-5, 100), comm);
-        assert!(plain.fastest > 1e5 && plain.drift > 10.0, "the defect is gone: {plain:?}");
+        assert!(plain.fastest > 1e5 && plain.drift > 0.1, "the defect is gone: {plain:?}");
     });
 }
 

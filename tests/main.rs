@@ -17,6 +17,7 @@ mod fracture;
 mod friction;
 mod gravity;
 mod hard_cases;
+mod hard_contacts;
 mod hard_neighbours;
 mod hard_pores;
 mod hard_pores_shocks;

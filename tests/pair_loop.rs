@@ -4,7 +4,7 @@
 use sph_mpi::kernel::{CubicSpline, Kernel, Shape, WendlandC2};
 use sph_mpi::math::lanes::Width;
 use sph_mpi::pair::artificial_stress;
-use sph_mpi::pair::record::Viscosity;
+use sph_mpi::pair::record::{Viscosity, half, set_half};
 use sph_mpi::pair::rows::Constants;
 use sph_mpi::pair::{Layout, PairLoop, RowSums, Rows, Terms, torque};
 use sph_mpi::random::uniform;
@@ -39,23 +39,23 @@ fn cloud(dimension: usize, terms: Terms, count: usize, seed: u64) -> Cloud {
             record[layout.stress() + k] = next(-2.0, 2.0);
         }
         record[layout.volume()] = next(0.1, 0.4);
-        record[layout.density()] = next(0.5, 3.0);
-        record[layout.h_inverse()] = next(0.8, 1.3);
+        set_half(record, layout.density(), next(0.5, 3.0));
+        set_half(record, layout.h_inverse(), next(0.8, 1.3));
         if terms.viscosity != Viscosity::Off {
-            record[layout.alpha_c()] = next(0.5, 2.0);
+            set_half(record, layout.alpha_c(), next(0.5, 2.0));
         }
         if terms.viscosity == Viscosity::OwnBeta {
-            record[layout.beta()] = next(1.0, 4.0);
+            set_half(record, layout.beta(), next(1.0, 4.0));
         }
         if terms.artificial_stress {
             for k in 0..layout.tensor_words() {
-                record[layout.artificial() + k] = next(-1.0, 1.0);
+                set_half(record, layout.artificial() + k, next(-1.0, 1.0));
             }
         }
         for k in 0..layout.axial_words() {
-            record[layout.axial() + k] = next(-1.0, 1.0);
+            set_half(record, layout.axial() + k, next(-1.0, 1.0));
         }
-        mass.push(record[layout.volume()] * record[layout.density()]);
+        mass.push(record[layout.volume()] * half(record, layout.density()));
     }
     layout.padding(&mut records[count * stride..]);
     let (mut offsets, mut entries) = (vec![0], Vec::new());
@@ -104,8 +104,12 @@ fn all_terms() -> Vec<Terms> {
             }
         }
         let corrected = Terms { viscosity, correction: true, ..plain };
-        all.push(Terms { tensor: true, no_torque: true, ..corrected });
-        all.extend([true, false].map(|tensor| Terms { tensor, contrast: true, ..corrected }));
+        all.push(Terms { contrast: true, ..corrected });
+        for (no_torque, contrast) in [(true, false), (false, true), (true, true)] {
+            for artificial_stress in [false, true] {
+                all.push(Terms { tensor: true, artificial_stress, no_torque, contrast, ..corrected });
+            }
+        }
     }
     all
 }
@@ -182,10 +186,33 @@ fn momentum_and_energy_are_conserved_and_viscosity_heats() {
     }
 }
 
+/// A light particle beside a heavy one: the pair's kernel is no narrower than two thirds of the wider one.
+#[test]
+fn the_kernel_of_unlike_particles_is_wide() {
+    let terms = all_terms()[0];
+    let force = |h_inverse: [f64; 2]| {
+        let mut cloud = cloud(3, terms, 2, 1);
+        let (stride, layout) = (cloud.layout.stride(), cloud.layout);
+        for (i, g) in h_inverse.into_iter().enumerate() {
+            set_half(&mut cloud.records[i * stride..(i + 1) * stride], layout.h_inverse(), g);
+            cloud.records[i * stride] = 0.1 * i as f64;
+            cloud.records[i * stride + 1..i * stride + 3].fill(0.0);
+        }
+        cloud.sums(Kernel::CubicSpline, Width::Portable).iter().map(|s| s.force).collect::<Vec<_>>()
+    };
+    assert_eq!(force([8.0, 0.25]), force([0.375, 0.375]));
+    assert_eq!(force([0.25, 8.0]), force([0.375, 0.375]));
+    assert_eq!(force([0.5, 0.25]), force([0.375, 0.375]));
+    assert_ne!(force([8.0, 0.25]), force([8.0, 8.0]));
+}
+
 /// Of a pair the light one strains by all of the motion, and its pressure alone acts on both.
 #[test]
 fn of_a_pair_the_light_one_gives_way() {
-    for terms in all_terms().into_iter().filter(|terms| terms.contrast && terms.viscosity == Viscosity::Off) {
+    let with_stress_alone = |terms: &Terms| {
+        terms.contrast && terms.viscosity == Viscosity::Off && !terms.artificial_stress && !terms.no_torque
+    };
+    for terms in all_terms().into_iter().filter(with_stress_alone) {
         let mut contrast = cloud(3, terms, 2, 4);
         let (stride, density, volume) = (contrast.layout.stride(), contrast.layout.density(), contrast.layout.volume());
         for a in 0..3 {
@@ -198,7 +225,8 @@ fn of_a_pair_the_light_one_gives_way() {
             [0, 1].map(|i| [a[i].gradient[0] / b[i].gradient[0], a[i].force[0] / b[i].force[0]])
         };
         for (heavy, shares) in [(1.0, [1.0, 1.0]), (1e6, [2e-6, 2.0])] {
-            (contrast.records[density], contrast.records[stride + density]) = (heavy, 1.0);
+            set_half(&mut contrast.records[..stride], density, heavy);
+            set_half(&mut contrast.records[stride..], density, 1.0);
             (contrast.records[volume], contrast.records[stride + volume]) = (0.3, 0.2);
             let stress = contrast.layout.stress();
             // Ten times the pressure in the heavy one.
@@ -226,11 +254,11 @@ fn work(layout: &Layout, record: &[f64], s: &RowSums) -> f64 {
     let g = &s.gradient;
     let t = &record[layout.stress()..];
     let diagonal: f64 = (0..d).map(|a| g[a * d + a] * if layout.terms.tensor { t[a] } else { t[0] }).sum();
-    let w = &record[layout.axial()..layout.words()];
-    let diagonal = match w {
-        [] => diagonal,
-        [_] => diagonal + torque::heating::<2>(w, g),
-        _ => diagonal + torque::heating::<3>(w, g),
+    let w: Vec<f64> = (0..layout.axial_words()).map(|k| half(record, layout.axial() + k)).collect();
+    let diagonal = match w.len() {
+        0 => diagonal,
+        1 => diagonal + torque::heating::<2>(&w, g),
+        _ => diagonal + torque::heating::<3>(&w, g),
     };
     if !layout.terms.tensor {
         diagonal
@@ -261,13 +289,13 @@ fn sums_agree_with_a_plain_double_loop() {
                 let v: Vec<f64> = (0..3).map(|k| a[3 + k] - b[3 + k]).collect();
                 let r = x.iter().map(|x| x * x).sum::<f64>().sqrt();
                 let vx: f64 = x.iter().zip(&v).map(|(x, v)| x * v).sum();
-                let (hi, hj) = (1.0 / a[layout.h_inverse()], 1.0 / b[layout.h_inverse()]);
-                let slope = 0.5 * (slope(spline, r, hi) + slope(spline, r, hj)) / r;
+                let (g_i, g_j) = (half(a, layout.h_inverse()), half(b, layout.h_inverse()));
+                let h = 1.0 / (0.5 * (g_i + g_j)).min(1.5 * g_i.min(g_j));
+                let slope = slope(spline, r, h) / r;
                 let g: Vec<f64> = x.iter().map(|x| slope * x * b[layout.volume()]).collect();
-                let h = 2.0 / (1.0 / hi + 1.0 / hj);
                 let mu = if vx < 0.0 { h * vx / (r * r + 0.01 * h * h) } else { 0.0 };
-                let (rho_i, rho_j) = (a[layout.density()], b[layout.density()]);
-                let alpha_c = 0.5 * (a[layout.alpha_c()] + b[layout.alpha_c()]);
+                let (rho_i, rho_j) = (half(a, layout.density()), half(b, layout.density()));
+                let alpha_c = 0.5 * (half(a, layout.alpha_c()) + half(b, layout.alpha_c()));
                 let p = rho_i * rho_j * (-alpha_c * mu + 3.0 * mu * mu) / (0.5 * (rho_i + rho_j));
                 let w = |q: f64| if spline { CubicSpline::value(q) } else { WendlandC2::value(q) };
                 let f4 = (w(r / h) / w(1.0 / 1.2)).powi(4);
@@ -276,7 +304,8 @@ fn sums_agree_with_a_plain_double_loop() {
                     for d in 0..3 {
                         let at = |record: &[f64], from: usize| record[from + index[c][d]];
                         let s = at(a, layout.stress()) + at(b, layout.stress());
-                        let r = f4 * (at(a, layout.artificial()) + at(b, layout.artificial()));
+                        let half_at = |record: &[f64]| half(record, layout.artificial() + index[c][d]);
+                        let r = f4 * (half_at(a) + half_at(b));
                         force[c] += (s + r - if c == d { p } else { 0.0 }) * g[d];
                         dissipation -= v[c] * r * g[d];
                         gradient[3 * c + d] -= v[c] * g[d];
@@ -284,7 +313,7 @@ fn sums_agree_with_a_plain_double_loop() {
                     }
                     dissipation += p * v[c] * g[c];
                 }
-                if r < 2.0 * hi.max(hj) {
+                if r < 2.0 * h {
                     approach = approach.max(-mu);
                 }
             }

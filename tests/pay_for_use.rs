@@ -58,6 +58,8 @@ const CORE: [(&str, usize); 12] = [
     ("internal_energy_rate", 1),
 ];
 const STRENGTH: [(&str, usize); 2] = [("deviatoric_stress", 5), ("deviatoric_stress_rate", 5)];
+const MOMENTS: [(&str, usize); 4] =
+    [("moment_diagonal", 3), ("moment_off_diagonal", 3), ("moment_diagonal_rate", 3), ("moment_off_diagonal_rate", 3)];
 const FRACTURE: [(&str, usize); 2] = [("damage", 1), ("activation_threshold", 1)];
 /// Rigid pores of a material that can break, and what elastic ones need.
 const PORES: [(&str, usize); 3] = [("distention", 1), ("stress_factor", 1), ("compaction_damage", 1)];
@@ -88,9 +90,9 @@ fn cases() -> Vec<Case> {
         contrast: false,
     };
     let viscous = Terms { viscosity: Viscosity::SameBeta, ..gas };
-    let solid = Terms { tensor: true, ..viscous };
-    let corrected = Terms { correction: true, ..solid };
-    let tensile = Terms { artificial_stress: true, ..corrected };
+    // Solids have what is right for them unless a scene says otherwise.
+    let solid = Terms { tensor: true, correction: true, no_torque: true, ..viscous };
+    let tensile = Terms { artificial_stress: true, ..solid };
     let mut columns = CORE.to_vec();
     let mut with = |more: &[(&'static str, usize)]| {
         columns.extend(more);
@@ -98,31 +100,37 @@ fn cases() -> Vec<Case> {
     };
     let case = |name, asks, gas, columns, terms, ghost_words| Case { name, asks, gas, columns, terms, ghost_words };
     vec![
-        case("gas without viscosity", "", true, with(&[]), gas, 6 + 1 + 3),
-        case("gas", "", true, with(&[]), viscous, 6 + 1 + 3 + 1),
-        case("+ strength", "[material.basalt.strength]", false, with(&STRENGTH), solid, 6 + 6 + 3 + 1),
-        case("+ fracture", "[material.basalt.fracture]", false, with(&FRACTURE), solid, 6 + 6 + 3 + 1),
+        case("gas without viscosity", "", true, with(&[]), gas, 6 + 1 + 1 + 1),
+        case("gas", "", true, with(&[]), viscous, 6 + 1 + 1 + 2),
+        case(
+            "+ strength",
+            "[material.basalt.strength]",
+            false,
+            with(&[&STRENGTH[..], &MOMENTS].concat()),
+            solid,
+            6 + 6 + 1 + 3,
+        ),
+        case("+ fracture", "[material.basalt.fracture]", false, with(&FRACTURE), solid, 6 + 6 + 1 + 3),
         // Friction reads pressure and damage that are there.
-        case("+ friction", "[material.basalt.strength.collins]", false, with(&[]), solid, 6 + 6 + 3 + 1),
+        case("+ friction", "[material.basalt.strength.collins]", false, with(&[]), solid, 6 + 6 + 1 + 3),
         // What pores change is in the pressure, the stress and the damage that a record holds anyway.
-        case("+ porosity", "[material.basalt.porosity.p_alpha.quadratic]", false, with(&PORES), solid, 6 + 6 + 3 + 1),
+        case("+ porosity", "[material.basalt.porosity.p_alpha.quadratic]", false, with(&PORES), solid, 6 + 6 + 1 + 3),
         case(
             "+ elastic pores",
             "material.basalt.porosity.p_alpha.elastic = { c_e = \"2 km/s\", c_0 = \"3.145 km/s\" }",
             false,
             with(&ELASTIC_PORES),
             solid,
-            6 + 6 + 3 + 1,
+            6 + 6 + 1 + 3,
         ),
-        case("+ corrected gradient", "numerics.corrected_gradient = true", false, with(&[]), corrected, 6 + 6 + 3 + 1),
-        case("+ artificial stress", "numerics.artificial_stress = true", false, with(&[]), tensile, 6 + 6 + 3 + 1 + 6),
+        case("+ artificial stress", "numerics.artificial_stress = true", false, with(&[]), tensile, 6 + 6 + 1 + 6),
         case(
             "+ records",
             "record = { peak_pressure = true, melt_fraction = true, vapour_fraction = true }",
             false,
             with(&RECORDS),
             tensile,
-            6 + 6 + 3 + 1 + 6,
+            6 + 6 + 1 + 6,
         ),
         case(
             "+ variable h",
@@ -130,9 +138,27 @@ fn cases() -> Vec<Case> {
             false,
             with(&VARIABLE_H),
             tensile,
-            6 + 6 + 3 + 1 + 6,
+            6 + 6 + 1 + 6,
         ),
     ]
+}
+
+/// A solid without what it has by default holds and sends less.
+#[test]
+fn a_solid_may_do_without_its_defaults() {
+    let text = format!("{BALLS}\n[material.basalt.strength]\n").replace("MATERIAL", "basalt");
+    let plan = |change: &str| {
+        let scene = Scene::parse("scene.toml", &text, &[change.to_string()]).expect("a scene");
+        plan(&scene, scene.bodies.iter().map(|body| body.constants(10, scene.numerics.eta)).collect())
+    };
+    let [default, less, least] =
+        ["numerics.cfl=0.25", "numerics.angular_momentum=false", "numerics.corrected_gradient=false"].map(plan);
+    let moments = 8 * MOMENTS.iter().map(|(_, width)| width).sum::<usize>();
+    let bytes = |plan: &Plan| plan.registry.bytes_per_particle();
+    assert_eq!([bytes(&less), bytes(&least)], [bytes(&default) - moments; 2]);
+    assert!(default.terms.no_torque && less.terms.correction && !less.terms.no_torque && !least.terms.correction);
+    let words = |plan: &Plan| Layout { dimension: 3, terms: plan.terms }.words();
+    assert_eq!([words(&default), words(&less), words(&least)], [16, 15, 15]);
 }
 
 impl Case {

@@ -10,6 +10,7 @@ A section is a module with
 import sys
 
 import compaction
+import contacts
 import convergence
 import crush
 import granular
@@ -20,7 +21,7 @@ import price
 import rest
 from runs import perform, show
 
-SECTIONS = {"convergence": convergence, "hugoniots": hugoniots, "compaction": compaction, "crush": crush, "gravity": gravity, "rest": rest, "granular": granular, "price": price}
+SECTIONS = {"convergence": convergence, "hugoniots": hugoniots, "compaction": compaction, "crush": crush, "gravity": gravity, "rest": rest, "contacts": contacts, "granular": granular, "price": price}
 
 
 def main(words):

@@ -1,6 +1,7 @@
 //! Who owns which particles, and what crosses between ranks. Knows columns, no physics.
 
 pub mod bisection;
+pub mod closing;
 pub mod comm;
 pub mod decomposition;
 pub mod ghosts;
@@ -8,6 +9,7 @@ pub mod migration;
 pub mod watch;
 
 pub use bisection::Bisection;
+pub use closing::{Closing, Flying};
 pub use comm::{Comm, Exchange};
 pub use decomposition::{Decomposition, Handles, Space};
 pub use ghosts::Ghosts;

@@ -13,7 +13,7 @@
 //! If their cells of level c lie at most two apart, some block of 3^D cells holds both, and the line above bounds how much
 //! nearer they have come. If not, at least two sides of level c were between them; look at the next level, where one side
 //! is as wide: either a block there holds both, and R is its side, or at least two of its sides were between them, and so on.
-//! Beyond `ABOVE` levels over the widest occupied one, it is enough that no particle has moved by more than about one side.
+//! Beyond `ABOVE` levels over the widest occupied one, it is enough that no particle has moved by more than half a side.
 //!
 //! Along periodic axes a period is a whole number of cells at every level that particles live in, and blocks close on
 //! themselves. Wider levels would not fit, so nothing above the widest occupied one is watched: two sides of it are between
@@ -24,6 +24,7 @@
 
 use rayon::prelude::*;
 
+use super::closing::{Flights, relative};
 use super::comm::{Comm, Exchange};
 use super::ghosts::Extent;
 use crate::particles::cells::{CellTable, MAX_LEVEL};
@@ -34,7 +35,7 @@ use crate::particles::{Lattice, Place, Site};
 const ABOVE: u32 = 2;
 
 /// Cells a thread takes at a time.
-const CELLS: usize = 256;
+pub(super) const CELLS: usize = 256;
 
 /// Numbers of a cell that another rank must know.
 const fn words(dimension: usize) -> usize {
@@ -43,7 +44,7 @@ const fn words(dimension: usize) -> usize {
 
 /// What has become of a cell's particles: maxima only, so that cells merge element by element.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Summary<const D: usize> {
+pub(super) struct Summary<const D: usize> {
     forward: [f64; D],
     /// Of the displacement's opposite.
     backward: [f64; D],
@@ -73,7 +74,7 @@ impl<const D: usize> Summary<D> {
 
     /// Relative displacement over what is allowed; `reach` is R above.
     fn used(&self, reach: f64) -> f64 {
-        let apart = (0..D).fold(0.0, |sum, k| sum + (self.forward[k] + self.backward[k]).powi(2)).sqrt();
+        let apart = relative(&self.forward, &self.backward);
         let allowed = (-self.lack).min(reach - self.finer);
         if allowed > 0.0 { apart / allowed } else { f64::INFINITY }
     }
@@ -101,12 +102,12 @@ impl<const D: usize> Summary<D> {
 
 /// A cell of some level with particles of this rank.
 #[derive(Debug, Clone)]
-struct Cell {
+pub(super) struct Cell {
     code: u64,
     /// Owned particles of exactly this level.
-    particles: std::ops::Range<u32>,
+    pub(super) particles: std::ops::Range<u32>,
     /// Its cells of the level below.
-    children: std::ops::Range<u32>,
+    pub(super) children: std::ops::Range<u32>,
 }
 
 /// Where particles are now.
@@ -120,30 +121,40 @@ pub struct Motion<'a, S> {
 
 pub struct Watch<const D: usize> {
     /// Own cells, level after level.
-    cells: Vec<Cell>,
+    pub(super) cells: Vec<Cell>,
     /// Where each level begins in `cells`, and where the last one ends.
-    levels: Vec<usize>,
+    pub(super) levels: Vec<usize>,
+    /// Side of the cells of each level, and of those in which the widest particles live, m.
+    pub(super) sides: Vec<f64>,
+    pub(super) widest_side: f64,
     /// Of own cells, then of cells known from other ranks only.
-    summaries: Vec<Summary<D>>,
+    pub(super) summaries: Vec<Summary<D>>,
+    /// Whether they are those of the present positions.
+    surveyed: bool,
     /// Largest support in each own cell.
     supports: Vec<f64>,
     /// List radii of owned particles, m.
     radii: Vec<f64>,
-    blocks: Blocks,
+    pub(super) blocks: Blocks,
     exchange: Exchange,
-    send_cells: Vec<u32>,
-    receive_cells: Vec<u32>,
+    /// (rank, cells) that go out, and that come in.
+    pub(super) peers: (Vec<(usize, usize)>, Vec<(usize, usize)>),
+    pub(super) send_cells: Vec<u32>,
+    pub(super) receive_cells: Vec<u32>,
+    pub(super) flights: Option<Flights<D>>,
     /// No particle may move farther, m.
     farthest: f64,
 }
 
 /// The blocks of 3^D cells to look at: block b merges `cells[offsets[b]..offsets[b + 1]]`.
 #[derive(Debug, Default)]
-struct Blocks {
+pub(super) struct Blocks {
     offsets: Vec<u32>,
     cells: Vec<u32>,
     /// R of each.
-    reach: Vec<f64>,
+    pub(super) reach: Vec<f64>,
+    /// The first block of each level.
+    first: Vec<usize>,
 }
 
 impl<const D: usize> Watch<D> {
@@ -182,7 +193,7 @@ impl<const D: usize> Watch<D> {
                 let level_of = |cell: u32| levels.partition_point(|&start| start <= cell as usize) as u64 - 1;
                 let describe = |&c: &u32| [level_of(c), cells[c as usize].code, reach[c as usize].to_bits()];
                 messages.push((rank, sent.iter().flat_map(describe).collect()));
-                sends.push((rank, sent.len() * words(D)));
+                sends.push((rank, sent.len()));
             }
         }
         let received = comm.sparse_exchange(messages);
@@ -191,15 +202,22 @@ impl<const D: usize> Watch<D> {
         let (mut receive_cells, mut receives) = (Vec::new(), Vec::new());
         for (rank, message) in received {
             let described = message.chunks_exact(3);
-            receives.push((rank, described.len() * words(D)));
+            receives.push((rank, described.len()));
             receive_cells.extend(described.map(|w| known.add(w[0] as usize, w[1], f64::from_bits(w[2]))));
         }
+        let numbers =
+            |list: &[(usize, usize)]| list.iter().map(|&(rank, cells)| (rank, cells * words(D))).collect::<Vec<_>>();
         Self {
+            sides: (0..levels.len() as u32 - 1).map(|level| lattice.side(level)).collect(),
+            widest_side: lattice.side(widest),
             summaries: vec![Summary::NOTHING; known.reach.len()],
+            surveyed: false,
             supports: vec![0.0; cells.len()],
             radii,
             blocks: known.blocks::<D>(lattice, &cells, &levels),
-            exchange: Exchange::new(comm, &sends, &receives),
+            exchange: Exchange::new(comm, &numbers(&sends), &numbers(&receives)),
+            peers: (sends, receives),
+            flights: None,
             farthest: farthest(lattice, widest, (levels.len() - 2) as u32, D),
             cells,
             levels,
@@ -211,6 +229,19 @@ impl<const D: usize> Watch<D> {
     /// How much of the skin is used up, as far as this rank sees: lists hold while the maximum over ranks is at most 1.
     /// Collective.
     pub fn skin_used<S: Fn(usize) -> f64 + Sync>(&mut self, motion: &Motion<'_, S>, comm: &Comm) -> f64 {
+        self.surveyed = false;
+        self.survey(motion, comm);
+        let farthest = self.summaries[self.top()].iter().map(Summary::farthest).fold(0.0, f64::max);
+        let (blocks, summaries) = (&self.blocks, &self.summaries);
+        let each = (0..blocks.reach.len()).into_par_iter().with_min_len(CELLS);
+        each.map(|b| blocks.used(b, summaries)).reduce(|| 0.0, f64::max).max(farthest / self.farthest)
+    }
+
+    /// Brings the summaries of all cells to the present positions. Collective.
+    pub(super) fn survey<S: Fn(usize) -> f64 + Sync>(&mut self, motion: &Motion<'_, S>, comm: &Comm) {
+        if std::mem::replace(&mut self.surveyed, true) {
+            return;
+        }
         for level in 0..self.levels.len() - 1 {
             self.summarise(level, motion);
         }
@@ -219,22 +250,43 @@ impl<const D: usize> Watch<D> {
             self.summaries[cell as usize].write(to);
         }
         self.exchange.start(comm);
-        let top = self.levels[self.levels.len() - 2]..self.cells.len();
-        let farthest = self.summaries[top].iter().map(Summary::farthest).fold(0.0, f64::max);
         self.summaries[self.cells.len()..].fill(Summary::NOTHING);
         self.exchange.wait(comm);
         for (&cell, from) in self.receive_cells.iter().zip(self.exchange.incoming().chunks_exact(words(D))) {
             self.summaries[cell as usize].merge(&Summary::read(from));
         }
-        let (blocks, summaries) = (&self.blocks, &self.summaries);
-        let each = (0..blocks.reach.len()).into_par_iter().with_min_len(CELLS);
-        each.map(|b| blocks.used(b, summaries)).reduce(|| 0.0, f64::max).max(farthest / self.farthest)
+    }
+
+    /// Own cells of the widest level watched.
+    fn top(&self) -> std::ops::Range<usize> {
+        self.levels[self.levels.len() - 2]..self.cells.len()
+    }
+
+    /// The largest displacements of own particles, and of their opposites.
+    pub(super) fn farthest_moves(&self) -> ([f64; D], [f64; D]) {
+        // Own cells may know of other ranks' particles, too, which does not matter.
+        let mut all = Summary::NOTHING;
+        self.summaries[self.top()].iter().for_each(|summary| all.merge(summary));
+        (all.forward, all.backward)
+    }
+
+    /// Owned particles of all levels in the cells of a block.
+    pub(super) fn particles_of(&self, block: usize) -> Vec<usize> {
+        let mut cells: Vec<u32> = self.blocks.cells_of(block).to_vec();
+        let mut particles = Vec::new();
+        while let Some(cell) = cells.pop() {
+            let Some(cell) = self.cells.get(cell as usize) else { continue };
+            particles.extend(cell.particles.start as usize..cell.particles.end as usize);
+            cells.extend(cell.children.clone());
+        }
+        particles
     }
 
     /// Gives the memory back, before another one is made.
     pub fn forget(&mut self) {
         (self.cells, self.summaries, self.supports, self.radii) = Default::default();
         self.blocks = Blocks::default();
+        self.flights = None;
     }
 
     /// Bytes held.
@@ -247,6 +299,7 @@ impl<const D: usize> Watch<D> {
                 + self.send_cells.len()
                 + self.receive_cells.len())
             + self.exchange.bytes()
+            + self.flights.as_ref().map_or(0, Flights::bytes)
     }
 
     /// Own cells of one level, from their particles and the level below.
@@ -279,10 +332,27 @@ impl<const D: usize> Watch<D> {
 impl Blocks {
     /// The share of the skin used up in one block.
     fn used<const D: usize>(&self, block: usize, summaries: &[Summary<D>]) -> f64 {
-        let range = self.offsets[block] as usize..self.offsets[block + 1] as usize;
+        self.merged(block, summaries).used(self.reach[block])
+    }
+
+    /// How far particles of one block have moved against each other, m, and the largest support of those of finer levels.
+    pub(super) fn moved<const D: usize>(&self, block: usize, summaries: &[Summary<D>]) -> (f64, f64) {
+        let merged = self.merged(block, summaries);
+        (relative(&merged.forward, &merged.backward), merged.finer)
+    }
+
+    fn merged<const D: usize>(&self, block: usize, summaries: &[Summary<D>]) -> Summary<D> {
         let mut merged = Summary::NOTHING;
-        self.cells[range].iter().for_each(|&cell| merged.merge(&summaries[cell as usize]));
-        merged.used(self.reach[block])
+        self.cells_of(block).iter().for_each(|&cell| merged.merge(&summaries[cell as usize]));
+        merged
+    }
+
+    pub(super) fn cells_of(&self, block: usize) -> &[u32] {
+        &self.cells[self.offsets[block] as usize..self.offsets[block + 1] as usize]
+    }
+
+    pub(super) fn level(&self, block: usize) -> usize {
+        self.first.partition_point(|&first| first <= block) - 1
     }
 }
 
@@ -296,7 +366,8 @@ fn widest_level<const D: usize>(lattice: &Lattice, extents: &[Extent<D>]) -> u32
 fn farthest(lattice: &Lattice, widest: u32, top: u32, dimension: usize) -> f64 {
     let fits =
         if dimension == 2 { lattice.period::<2>(widest).is_some() } else { lattice.period::<3>(widest).is_some() };
-    if fits { lattice.side(top) - 0.5 * lattice.side(widest) } else { 0.0 }
+    // Half a side: two particles that no block holds are then still a side apart, see `closing`.
+    if fits { 0.5 * lattice.side(top) } else { 0.0 }
 }
 
 /// A cell and those that touch it.
@@ -394,6 +465,7 @@ impl Known {
         let mut blocks = Blocks { offsets: vec![0], ..Blocks::default() };
         let mut others = Vec::new();
         for (level, own) in by_level(cells, levels) {
+            blocks.first.push(blocks.reach.len());
             let numbers = levels[level as usize] as u32..levels[level as usize + 1] as u32;
             others.clear();
             for cell in own {

@@ -92,6 +92,8 @@ pub unsafe trait Lanes: Copy {
     unsafe fn read(at: *const f64) -> Self;
     /// Numbers 0..4 behind `base + offsets[lane]`, one vector per number.
     unsafe fn read_quad(base: *const f64, offsets: &[usize; LANES]) -> [Self; 4];
+    /// The numbers in single precision that stand in the lower or in the upper half of each lane.
+    unsafe fn half(self, upper: bool) -> Self;
     /// ((0+1)+(2+3)) + ((4+5)+(6+7)) of each of eight vectors.
     unsafe fn fold(v: [Self; 8]) -> [f64; 8];
     unsafe fn fold_max(self) -> f64;
@@ -198,6 +200,11 @@ unsafe impl Lanes for Portable {
         std::array::from_fn(|k| each!(i => unsafe { *base.add(offsets[i] + k) }))
     }
     #[inline(always)]
+    unsafe fn half(self, upper: bool) -> Self {
+        let shift = if upper { 32 } else { 0 };
+        each!(i => f64::from(f32::from_bits((self.0[i].to_bits() >> shift) as u32)))
+    }
+    #[inline(always)]
     unsafe fn fold(v: [Self; 8]) -> [f64; 8] {
         v.map(|Portable(a)| ((a[0] + a[1]) + (a[2] + a[3])) + ((a[4] + a[5]) + (a[6] + a[7])))
     }
@@ -272,6 +279,20 @@ unsafe fn add_neighbours(a: Avx512, b: Avx512) -> __m512d {
 #[inline(always)]
 unsafe fn add_blocks(a: __m512d, b: __m512d) -> __m512d {
     unsafe { _mm512_add_pd(_mm512_shuffle_f64x2::<0x88>(a, b), _mm512_shuffle_f64x2::<0xdd>(a, b)) }
+}
+
+/// The single-precision numbers in the lower or upper half of four lanes.
+///
+/// # Safety
+/// Needs AVX2.
+#[inline(always)]
+unsafe fn half_of_four(x: __m256d, upper: bool) -> __m256d {
+    unsafe {
+        let x = _mm256_castpd_ps(x);
+        let pairs = if upper { _mm256_shuffle_ps::<0xdd>(x, x) } else { _mm256_shuffle_ps::<0x88>(x, x) };
+        let four = _mm256_permute4x64_pd::<0x08>(_mm256_castps_pd(pairs));
+        _mm256_cvtps_pd(_mm_castpd_ps(_mm256_castpd256_pd128(four)))
+    }
 }
 
 /// Two halves of four lanes, AVX2 with FMA.
@@ -356,6 +377,10 @@ unsafe impl Lanes for Avx2 {
             let high = transpose4(base, [offsets[4], offsets[5], offsets[6], offsets[7]]);
             [Avx2(low[0], high[0]), Avx2(low[1], high[1]), Avx2(low[2], high[2]), Avx2(low[3], high[3])]
         }
+    }
+    #[inline(always)]
+    unsafe fn half(self, upper: bool) -> Self {
+        unsafe { Avx2(half_of_four(self.0, upper), half_of_four(self.1, upper)) }
     }
     #[inline(always)]
     unsafe fn fold(v: [Self; 8]) -> [f64; 8] {
@@ -464,6 +489,14 @@ unsafe impl Lanes for Avx512 {
                 Avx512(_mm512_shuffle_f64x2::<0xdd>(a, c)),
                 Avx512(_mm512_shuffle_f64x2::<0xdd>(b, d)),
             ]
+        }
+    }
+    #[inline(always)]
+    unsafe fn half(self, upper: bool) -> Self {
+        unsafe {
+            let words = _mm512_castpd_si512(self.0);
+            let words = if upper { _mm512_srli_epi64::<32>(words) } else { words };
+            Avx512(_mm512_cvtps_pd(_mm256_castsi256_ps(_mm512_cvtepi64_epi32(words))))
         }
     }
     #[inline(always)]

@@ -26,12 +26,12 @@ pub unsafe fn shares<L: Lanes>(rho_i: L, rho_j: L) -> [L; 2] {
     }
 }
 
-/// The words of a stress times its share.
+/// The words of a stress, symmetric or not, times its share.
 ///
 /// # Safety
 /// As for [`Lanes`].
 #[inline(always)]
-pub unsafe fn share_of<L: Lanes>(share: L, stress: [L; 6]) -> [L; 6] {
+pub unsafe fn share_of<L: Lanes, const N: usize>(share: L, stress: [L; N]) -> [L; N] {
     unsafe {
         let mut s = stress;
         for word in &mut s {

@@ -102,41 +102,34 @@ fn choose(dimension: usize, terms: Terms, kernel: Kernel, width: Width) -> Loop 
     }
 }
 
-fn with_terms<const D: usize, K: Shape>(terms: Terms, width: Width) -> Loop {
-    match (terms.tensor, terms.artificial_stress) {
-        (true, false) if terms.contrast && terms.correction => contrasting::<D, true, K>(terms, width),
-        (false, false) if terms.contrast && terms.correction => contrasting::<D, false, K>(terms, width),
-        (true, false) if terms.no_torque && terms.correction => balanced::<D, K>(terms, width),
-        (_, true) => with_correction::<D, true, true, K>(terms, width),
-        (true, false) => with_correction::<D, true, false, K>(terms, width),
-        (false, false) => with_correction::<D, false, false, K>(terms, width),
+/// The combinations that there are: artificial stress and forces without torque are of tensors, and what counts neighbours or
+/// turns forces wants the corrected gradient.
+fn with_terms<const D: usize, K: Shape>(t: Terms, width: Width) -> Loop {
+    match (t.tensor, t.correction, t.artificial_stress, t.no_torque, t.contrast) {
+        (false, false, ..) => viscous::<D, false, false, false, false, false, K>(t, width),
+        (false, true, _, _, false) => viscous::<D, false, false, true, false, false, K>(t, width),
+        (false, true, _, _, true) => viscous::<D, false, false, true, false, true, K>(t, width),
+        (true, false, false, ..) => viscous::<D, true, false, false, false, false, K>(t, width),
+        (true, false, true, ..) => viscous::<D, true, true, false, false, false, K>(t, width),
+        (true, true, false, false, false) => viscous::<D, true, false, true, false, false, K>(t, width),
+        (true, true, false, false, true) => viscous::<D, true, false, true, false, true, K>(t, width),
+        (true, true, false, true, false) => viscous::<D, true, false, true, true, false, K>(t, width),
+        (true, true, false, true, true) => viscous::<D, true, false, true, true, true, K>(t, width),
+        (true, true, true, false, false) => viscous::<D, true, true, true, false, false, K>(t, width),
+        (true, true, true, false, true) => viscous::<D, true, true, true, false, true, K>(t, width),
+        (true, true, true, true, false) => viscous::<D, true, true, true, true, false, K>(t, width),
+        (true, true, true, true, true) => viscous::<D, true, true, true, true, true, K>(t, width),
     }
 }
 
-fn balanced<const D: usize, K: Shape>(terms: Terms, width: Width) -> Loop {
+fn viscous<const D: usize, const T: bool, const A: bool, const C: bool, const B: bool, const X: bool, K: Shape>(
+    terms: Terms,
+    width: Width,
+) -> Loop {
     match terms.viscosity {
-        Viscosity::Off => with_lanes::<Compiled<D, true, false, true, true, false, 0, K>, D>(width),
-        Viscosity::SameBeta => with_lanes::<Compiled<D, true, false, true, true, false, 1, K>, D>(width),
-        Viscosity::OwnBeta => with_lanes::<Compiled<D, true, false, true, true, false, 2, K>, D>(width),
-    }
-}
-
-fn contrasting<const D: usize, const T: bool, K: Shape>(terms: Terms, width: Width) -> Loop {
-    match terms.viscosity {
-        Viscosity::Off => with_lanes::<Compiled<D, T, false, true, false, true, 0, K>, D>(width),
-        Viscosity::SameBeta => with_lanes::<Compiled<D, T, false, true, false, true, 1, K>, D>(width),
-        Viscosity::OwnBeta => with_lanes::<Compiled<D, T, false, true, false, true, 2, K>, D>(width),
-    }
-}
-
-fn with_correction<const D: usize, const T: bool, const A: bool, K: Shape>(terms: Terms, width: Width) -> Loop {
-    match (terms.correction, terms.viscosity) {
-        (false, Viscosity::Off) => with_lanes::<Compiled<D, T, A, false, false, false, 0, K>, D>(width),
-        (false, Viscosity::SameBeta) => with_lanes::<Compiled<D, T, A, false, false, false, 1, K>, D>(width),
-        (false, Viscosity::OwnBeta) => with_lanes::<Compiled<D, T, A, false, false, false, 2, K>, D>(width),
-        (true, Viscosity::Off) => with_lanes::<Compiled<D, T, A, true, false, false, 0, K>, D>(width),
-        (true, Viscosity::SameBeta) => with_lanes::<Compiled<D, T, A, true, false, false, 1, K>, D>(width),
-        (true, Viscosity::OwnBeta) => with_lanes::<Compiled<D, T, A, true, false, false, 2, K>, D>(width),
+        Viscosity::Off => with_lanes::<Compiled<D, T, A, C, B, X, 0, K>, D>(width),
+        Viscosity::SameBeta => with_lanes::<Compiled<D, T, A, C, B, X, 1, K>, D>(width),
+        Viscosity::OwnBeta => with_lanes::<Compiled<D, T, A, C, B, X, 2, K>, D>(width),
     }
 }
 

@@ -5,8 +5,12 @@
 //!   du_i  = (1/rho_i) [ sigma_i : L_i + 1/2 sum_j V_j (p_ij v_ij . gW - f^4 v_ij . (R_i + R_j) . gW) ]
 //!   L_i   = sum_j V_j (v_j - v_i) (x) gW          M_i = sum_j V_j (x_j - x_i) (x) gW
 //!
-//! with x_ij = x_i - x_j, v_ij = v_i - v_j, gW = (grad W(h_i) + grad W(h_j)) / 2, V = min(m/rho, V_max), rho_i = m_i/V_i, and
-//! sigma the damaged stress. The force of i on j is minus that of j on i term by term, and the energy sums are the exact
+//! with x_ij = x_i - x_j, v_ij = v_i - v_j, gW = grad W(r, h_ij), V = min(m/rho, V_max), rho_i = m_i/V_i, and sigma the damaged stress.
+//!
+//! h_ij is the harmonic mean of h_i and h_j, but never less than two thirds of the larger: V_j is made for h_j, and a light particle beside a
+//! heavy one would see V_j / h_i^d times what it should with a kernel of its own, and be as much too stiff for its step.
+//!
+//! The force of i on j is minus that of j on i term by term, and the energy sums are the exact
 //! counterpart of the momentum sums (swap i and j in the double sum), so that sum m (v^2/2 + u) is constant. Where densities
 //! differ by orders of magnitude, sigma_i, L_i and M_i may take shares of the pair instead, see [`contrast`].
 //!
@@ -37,7 +41,7 @@ pub struct Pair<L: Lanes, const D: usize> {
     pub v: [L; D],
     /// Distance, m.
     pub r: L,
-    /// Mean of 1/h over the pair, 1/m.
+    /// 1/h of the pair, 1/m.
     pub h_inverse: L,
     /// v_ij . x_ij, m^2/s.
     pub v_dot_x: L,

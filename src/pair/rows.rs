@@ -86,6 +86,30 @@ impl<L: Lanes> Side<L> {
         self.words[k]
     }
 
+    /// A number in single precision.
+    ///
+    /// # Safety
+    /// As for [`Lanes`].
+    #[inline(always)]
+    unsafe fn half(&self, k: usize) -> L {
+        unsafe { self.words[k / 2].half(k % 2 == 1) }
+    }
+
+    /// `N` of them, the first `count` from `from` on.
+    ///
+    /// # Safety
+    /// As for [`Lanes`].
+    #[inline(always)]
+    unsafe fn halves<const N: usize>(&self, from: usize, count: usize) -> [L; N] {
+        unsafe {
+            let mut numbers = [L::splat(0.0); N];
+            for k in 0..count {
+                numbers[k] = self.half(from + k);
+            }
+            numbers
+        }
+    }
+
     #[inline(always)]
     fn stress<F: Form>(&self, from: usize) -> [L; 6] {
         let mut s = [self.words[from]; 6];
@@ -109,7 +133,7 @@ pub unsafe fn sum_rows<L: Lanes, F: Form, const D: usize>(
     unsafe {
         let stride = F::LAYOUT.stride();
         let base = rows.records.as_ptr();
-        let norm = L::splat(0.5 * F::Kernel::normalisation::<D>());
+        let norm = L::splat(F::Kernel::normalisation::<D>());
         let fixed = [norm, L::splat(constants.artificial_reference), L::splat(constants.beta)];
         for (row, sums_out) in range.zip(out) {
             let mine = &rows.records[rows.slots[row] as usize * stride..][..stride];
@@ -173,9 +197,10 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
         // Coincident particles: the slope's numerator is an exact zero at q = 0, and stays finite.
         r2 = r2.max(L::splat(1e-200));
         let r = r2.sqrt();
-        let (g_i, g_j) = (i.at(layout.h_inverse()), j.at(layout.h_inverse()));
-        let h_inverse = g_i.add(g_j).mul(L::splat(0.5));
-        let inside = r.mul(g_i.min(g_j)).less(L::splat(crate::kernel::SUPPORT));
+        let (g_i, g_j) = (i.half(layout.h_inverse()), j.half(layout.h_inverse()));
+        // The mean of both, unless one is more than twice the other: then two thirds of the wider h, so that no division is needed.
+        let h_inverse = g_i.add(g_j).mul(L::splat(0.5)).min(g_i.min(g_j).mul(L::splat(1.5)));
+        let inside = r.mul(h_inverse).less(L::splat(crate::kernel::SUPPORT));
         sums.neighbours += L::count(inside);
 
         let zero = L::splat(0.0);
@@ -184,10 +209,10 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
             (L::splat(1.0).div(r), zero)
         } else {
             let own = F::TERMS.viscosity == Viscosity::OwnBeta;
-            let beta = if own { i.at(layout.beta()).add(j.at(layout.beta())).mul(L::splat(0.5)) } else { beta };
+            let beta = if own { i.half(layout.beta()).add(j.half(layout.beta())).mul(L::splat(0.5)) } else { beta };
             let inputs = Inputs {
-                density: [i.at(layout.density()), j.at(layout.density())],
-                alpha_c: i.at(layout.alpha_c()).add(j.at(layout.alpha_c())),
+                density: [i.half(layout.density()), j.half(layout.density())],
+                alpha_c: i.half(layout.alpha_c()).add(j.half(layout.alpha_c())),
                 beta,
             };
             let out = viscous(&pair, r2, &inputs);
@@ -195,45 +220,47 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
             (out.r_inverse, out.pressure)
         };
 
-        // Mean of both kernels' slopes, times V_j.
-        let slopes = slope::<L, F, D>(r, g_i).add(slope::<L, F, D>(r, g_j));
-        pair.slope = slopes.mul(norm).mul(j.at(layout.volume())).mul(r_inverse);
+        // Slope of the pair's kernel, times V_j.
+        pair.slope = slope::<L, F, D>(r, h_inverse).mul(norm).mul(j.at(layout.volume())).mul(r_inverse);
         for a in 0..D {
             pair.gradient[a] = pair.slope.mul(x[a]);
         }
-        let [share_i, share_j] = if F::TERMS.contrast {
-            contrast::shares(i.at(layout.density()), j.at(layout.density()))
+        let shares = if F::TERMS.contrast {
+            contrast::shares(i.half(layout.density()), j.half(layout.density()))
         } else {
             [zero, zero]
         };
-        let straining = if F::TERMS.contrast { contrast::straining(share_i, &pair) } else { pair.gradient };
+        let straining = if F::TERMS.contrast { contrast::straining(shares[0], &pair) } else { pair.gradient };
         let (force, rest) = sums.folded.split_at_mut(D);
         let force: &mut [L; D] = force.try_into().unwrap_unchecked();
         let mut dissipation = pressure.mul(v_dot_x);
+        let from = layout.stress();
         if F::TERMS.tensor {
-            let from = layout.stress();
             let (mut s_i, mut s_j) = (i.stress::<F>(from), j.stress::<F>(from));
             if F::TERMS.contrast {
-                (s_i, s_j) = (contrast::share_of(share_i, s_i), contrast::share_of(share_j, s_j));
+                (s_i, s_j) = (contrast::share_of(shares[0], s_i), contrast::share_of(shares[1], s_j));
             }
             let mut stress = PairStress::<L, D>::sum(&s_i, &s_j);
             if F::TERMS.artificial_stress {
-                let from = layout.artificial();
-                let r_ij = PairStress::<L, D>::sum(&i.stress::<F>(from), &j.stress::<F>(from));
+                let (from, words) = (layout.artificial(), layout.tensor_words());
+                let r_ij = PairStress::<L, D>::sum(&i.halves(from, words), &j.halves(from, words));
                 let (with, power) = artificial_stress::apply::<L, F::Kernel, D>(&pair, reference, &r_ij, stress);
                 stress = with;
                 dissipation = dissipation.sub(power);
             }
             stress.minus_pressure(pressure).add_force(&pair.gradient, force);
             if F::TERMS.no_torque {
-                let range = layout.axial()..layout.axial() + layout.axial_words();
-                torque::add_force(&i.words[range.clone()], &j.words[range], &pair, force);
+                let (from, words) = (layout.axial(), layout.axial_words());
+                let (mut w_i, mut w_j) = (i.halves::<3>(from, words), j.halves::<3>(from, words));
+                if F::TERMS.contrast {
+                    (w_i, w_j) = (contrast::share_of(shares[0], w_i), contrast::share_of(shares[1], w_j));
+                }
+                torque::add_force(&w_i, &w_j, &pair, force);
             }
         } else {
-            let from = layout.stress();
             let (mut s_i, mut s_j) = (i.at(from), j.at(from));
             if F::TERMS.contrast {
-                (s_i, s_j) = (s_i.mul(share_i), s_j.mul(share_j));
+                (s_i, s_j) = (s_i.mul(shares[0]), s_j.mul(shares[1]));
             }
             add_pressure_force(s_i.add(s_j), pressure, &pair, force);
         }

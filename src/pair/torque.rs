@@ -10,8 +10,8 @@
 //! ```text
 //! W M + M W = M sigma - sigma M        (tr(M) - M) w = a(M sigma)
 //! ```
-//! Its force is w x gW. Work against it is counted as heat, and then matter that turns as a whole takes up none. M is that of the
-//! last evaluation, so that angular momentum is kept to the first order of the step, and exactly by what does not move.
+//! Its force is w x gW. Work against it is counted as heat, and then matter that turns as a whole takes up none. M is
+//! followed from the last two evaluations, so that angular momentum is kept to the second order of the step, and exactly by what does not move.
 //! |w| is below the shear in sigma.
 
 use super::Pair;
@@ -25,11 +25,11 @@ pub fn axial<const D: usize>(s: &Sym, m: &Sym) -> Vec3 {
         let product = |a: &Sym, b: &Sym| (a.xy * b.xx + a.yy * b.xy) - (a.xx * b.xy + a.xy * b.yy);
         return Vec3::new(0.0, 0.0, if trace > 0.0 { product(m, s) / trace } else { 0.0 });
     }
-    let product = m.to_matrix() * s.to_matrix();
+    // a(M sigma), of which only the part that is not symmetric counts.
     let a = Vec3::new(
-        product[(2, 1)] - product[(1, 2)],
-        product[(0, 2)] - product[(2, 0)],
-        product[(1, 0)] - product[(0, 1)],
+        (m.xz * s.xy + m.yz * s.yy + m.zz * s.yz) - (m.xy * s.xz + m.yy * s.yz + m.yz * s.zz),
+        (m.xx * s.xz + m.xy * s.yz + m.xz * s.zz) - (m.xz * s.xx + m.yz * s.xy + m.zz * s.xz),
+        (m.xy * s.xx + m.yy * s.xy + m.yz * s.xz) - (m.xx * s.xy + m.xy * s.yy + m.xz * s.yz),
     );
     let n = Sym { xx: m.yy + m.zz, yy: m.xx + m.zz, zz: m.xx + m.yy, xy: -m.xy, xz: -m.xz, yz: -m.yz };
     solved(&n, &a)

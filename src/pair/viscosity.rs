@@ -1,5 +1,5 @@
 //! Monaghan viscosity (Monaghan 1992, ARA&A 30, 543): for approaching pairs Pi = (-alpha c mu + beta mu^2) / rho with
-//! mu = h v.x / (r^2 + 0.01 h^2) and means of alpha c, beta and rho over the pair (of h, the harmonic one). It enters as a
+//! mu = h v.x / (r^2 + 0.01 h^2), h that of the pair, and means of alpha c, beta and rho. It enters as a
 //! pressure p_ij = rho_i rho_j Pi_ij of the pair, alike in force and heating, so that it only ever heats.
 
 use super::Pair;

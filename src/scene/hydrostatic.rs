@@ -4,7 +4,7 @@
 //! the pressure that each bears and the density that the equation of state gives it,
 //!
 //! ```text
-//! P(m) = int_m^M G m' / (4 pi r^4) dm'       r^3(m) = int_0^m 3 / (4 pi rho) dm'       rho = rho(P, u)
+//! P(m) = int_m^M G m' / (4 pi r^4) dm'       r^3(m) = int_0^m 3 / (4 pi rho) dm'       rho, u = isentrope(P)
 //! ```
 //!
 //! is solved by turns, from the ball without load on. Lattice sites move along their radius to where their shell is, so that
@@ -15,6 +15,7 @@ use std::f64::consts::PI;
 use serde::{Deserialize, Serialize};
 
 use super::body::Body;
+use super::isentrope::Isentrope;
 use super::shape::Shape;
 use super::slab::Slab;
 use crate::error::{Error, Result};
@@ -55,20 +56,20 @@ impl Pressed {
         }
     }
 
-    /// For what lies at `point` without load, m: the place that it gets, and its density, kg/m^3.
-    pub fn at(&self, point: [f64; 3]) -> ([f64; 3], f64) {
+    /// For what lies at `point` without load, m: the place that it gets, its density, kg/m^3, and its internal energy, J/kg.
+    pub fn at(&self, point: [f64; 3]) -> ([f64; 3], f64, f64) {
         match self {
             Self::Slab(slab) => slab.at(point),
             Self::Ball(profile, centre) => {
                 let away: [f64; 3] = std::array::from_fn(|k| point[k] - centre[k]);
-                let (ratio, density) = profile.at(away.iter().map(|x| x * x).sum::<f64>().sqrt());
-                (std::array::from_fn(|k| centre[k] + away[k] * ratio), density)
+                let (ratio, density, energy) = profile.at(away.iter().map(|x| x * x).sum::<f64>().sqrt());
+                (std::array::from_fn(|k| centre[k] + away[k] * ratio), density, energy)
             }
         }
     }
 }
 
-/// Where shells are and how dense they are, at equal steps of the radius without load.
+/// Where shells are, how dense they are and what energy that took, at equal steps of the radius without load.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
     /// Radius of the ball without load, m.
@@ -77,6 +78,8 @@ pub struct Profile {
     ratio: Vec<f64>,
     /// kg/m^3.
     density: Vec<f64>,
+    /// J/kg.
+    energy: Vec<f64>,
 }
 
 impl Profile {
@@ -87,7 +90,9 @@ impl Profile {
         let ball = |r: f64| 4.0 / 3.0 * PI * r * r * r;
         let mass: Vec<f64> = (0..=SHELLS).map(|shell| body.density * ball(at(shell))).collect();
         let mut r: Vec<f64> = (0..=SHELLS).map(at).collect();
+        let isentrope = Isentrope::new(law, body.internal_energy).ok_or_else(|| too_hot(body))?;
         let mut density = vec![body.density; SHELLS + 1];
+        let mut energy = vec![body.internal_energy; SHELLS + 1];
         let mut pressure = vec![0.0; SHELLS + 1];
         for _ in 0..MOST_TURNS {
             // G m / (4 pi r^4) dm, by the trapezoid in r0: dm = 4 pi rho r0^2 dr0; nothing at the centre.
@@ -99,9 +104,8 @@ impl Profile {
             for k in (0..SHELLS).rev() {
                 pressure[k] = pressure[k + 1] + 0.5 * step * (weight(k) + weight(k + 1));
             }
-            for (rho, p) in density.iter_mut().zip(&pressure) {
-                *rho = density_at(law, *p, body.internal_energy)
-                    .ok_or_else(|| Error::new(format!("no density of the body has a pressure of {p:.3e} Pa")))?;
+            for ((rho, u), p) in density.iter_mut().zip(&mut energy).zip(&pressure) {
+                (*rho, *u) = isentrope.at(*p).ok_or_else(|| too_much(*p))?;
             }
             let (mut cube, mut change) = (0.0, 0.0f64);
             for k in 1..=SHELLS {
@@ -114,45 +118,31 @@ impl Profile {
             if change < CONVERGED {
                 let mut ratio: Vec<f64> = (0..=SHELLS).map(|k| r[k] / at(k)).collect();
                 ratio[0] = ratio[1];
-                return Ok(Self { radius, ratio, density });
+                return Ok(Self { radius, ratio, density, energy });
             }
         }
         Err(Error::new("the body finds no rest under its own weight").allowed("a smaller or stiffer body"))
     }
 
-    /// For what lies at distance `r` from the centre without load (m): the distance that it gets over that, and its density,
-    /// kg/m^3.
-    pub fn at(&self, r: f64) -> (f64, f64) {
+    /// For what lies at distance `r` from the centre without load (m): the distance that it gets over that, its density, kg/m^3,
+    /// and its internal energy, J/kg.
+    pub fn at(&self, r: f64) -> (f64, f64, f64) {
         let place = (r / self.radius * SHELLS as f64).min(SHELLS as f64);
         let below = (place as usize).min(SHELLS - 1);
         let part = place - below as f64;
         let between = |values: &[f64]| values[below] + part * (values[below + 1] - values[below]);
-        (between(&self.ratio), between(&self.density))
+        (between(&self.ratio), between(&self.density), between(&self.energy))
     }
 }
 
-/// The density at which matter of this energy has this pressure, by bisection upwards of where it has none.
-pub(super) fn density_at(law: &Eos, pressure: f64, u: f64) -> Option<f64> {
-    let off = |rho: f64| law.pressure(rho, u).0 - pressure;
-    let rest = law.reference_density()?;
-    let (mut low, mut high) = (rest, rest);
-    while off(low) > 0.0 {
-        low *= 0.9;
-        if low < 0.1 * rest {
-            return None;
-        }
-    }
-    while off(high) < 0.0 {
-        high *= 1.5;
-        if high > 100.0 * rest {
-            return None;
-        }
-    }
-    for _ in 0..100 {
-        let middle = 0.5 * (low + high);
-        if off(middle) < 0.0 { low = middle } else { high = middle }
-    }
-    Some(0.5 * (low + high))
+/// No density without pressure.
+pub(super) fn too_hot(body: &Body) -> Error {
+    Error::new(format!("matter of {:.3e} J/kg has pressure at any density", body.internal_energy)).allowed("a cooler body")
+}
+
+/// No density with this pressure, Pa.
+pub(super) fn too_much(pressure: f64) -> Error {
+    Error::new(format!("no density of the body has a pressure of {pressure:.3e} Pa")).allowed("a smaller body")
 }
 
 #[cfg(test)]
@@ -175,9 +165,9 @@ mod tests {
         let (profile, scene) = profile("100 km");
         let law = scene.materials[0].eos.law();
         for r in [0.0, 2e4, 5e4, 9e4] {
-            let (ratio, density) = profile.at(r);
+            let (ratio, density, energy) = profile.at(r);
             let expected = 2.0 / 3.0 * PI * G * 2700.0f64.powi(2) * (1e10 - r * r);
-            let found = law.pressure(density, 0.0).0;
+            let found = law.pressure(density, energy).0;
             assert!((found / expected - 1.0).abs() < 2e-3, "{r}: {found} {expected}");
             assert!(ratio < 1.0 && ratio > 0.999);
         }
@@ -189,7 +179,7 @@ mod tests {
     fn balance_of_a_large_ball() {
         let (profile, scene) = profile("3000 km");
         let law = scene.materials[0].eos.law();
-        let p = |r0: f64| law.pressure(profile.at(r0).1, 0.0).0;
+        let p = |r0: f64| law.pressure(profile.at(r0).1, profile.at(r0).2).0;
         for r0 in [5e5, 1.5e6, 2.5e6] {
             let step = 6e3;
             let r = |r0: f64| r0 * profile.at(r0).0;

@@ -12,6 +12,7 @@ pub mod hydrostatic;
 pub mod identity;
 pub mod impact;
 pub mod input;
+pub mod isentrope;
 pub mod keys;
 pub mod late_stage;
 pub mod lattice;
@@ -181,7 +182,8 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
         material.validate(&format!("material.{name}")).map_err(|e| relocated(document, e))?;
     }
     raw.record.validate(&materials).map_err(|e| relocated(document, e))?;
-    let numerics = raw.numerics.validate(document, dimension)?;
+    let solid = materials.iter().any(MaterialTable::has_strength);
+    let mut numerics = raw.numerics.validate(document, dimension, solid)?;
     let impact = raw.impact.as_mut().map(|i| Impact::read(document, i, &raw.body)).transpose()?;
     let periods = raw.domain.validate(document, dimension)?;
     if impact.is_some() && periods.any() {
@@ -190,6 +192,7 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
     let gravity = raw.gravity.as_ref().map(|gravity| gravity.validate(document, dimension, &periods));
     let gravity = gravity.transpose()?.unwrap_or_default();
     let bodies = bodies(document, raw, (&materials, &material_names), &periods, impact.as_ref(), numerics.eta)?;
+    numerics.density_contrast = raw.numerics.contrast(solid, bodies.iter().map(|body| body.density));
     check_starts(document, &bodies, (&materials, &gravity, &periods))?;
     check_overlaps(document, &bodies)?;
     boundaries::check_periods(document, &periods, &bodies, largest_reach(&bodies, &numerics))?;

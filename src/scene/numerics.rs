@@ -19,9 +19,9 @@ pub struct RawNumerics {
     eta: Option<Number>,
     neighbours: Option<Number>,
     pub(super) viscosity: bool,
-    corrected_gradient: bool,
-    angular_momentum: bool,
-    density_contrast: bool,
+    corrected_gradient: Option<bool>,
+    angular_momentum: Option<bool>,
+    density_contrast: Option<bool>,
     artificial_stress: Switch<RawArtificialStress>,
     smoothing_length: RawSmoothingLength,
 }
@@ -35,9 +35,9 @@ impl Default for RawNumerics {
             eta: None,
             neighbours: None,
             viscosity: true,
-            corrected_gradient: false,
-            angular_momentum: false,
-            density_contrast: false,
+            corrected_gradient: None,
+            angular_momentum: None,
+            density_contrast: None,
             artificial_stress: Switch(None),
             smoothing_length: RawSmoothingLength::default(),
         }
@@ -47,6 +47,9 @@ impl Default for RawNumerics {
 /// h over (m / rho)^(1/d): default, least and largest.
 const DEFAULT_ETA: f64 = 1.2;
 const ETA: [f64; 2] = [0.8, 3.0];
+
+/// Bodies whose densities differ by more than this factor are told apart in their pairs, see `pair::contrast`.
+const ALIKE: f64 = 2.0;
 
 /// Volume of the ball (or area of the disc) of radius 1.
 fn unit_ball(dimension: usize) -> f64 {
@@ -203,8 +206,8 @@ pub enum SmoothingLength {
 }
 
 impl RawNumerics {
-    /// Fills in eta.
-    pub(super) fn validate(&mut self, document: &Document, dimension: usize) -> Result<Numerics> {
+    /// Fills in eta, and what is right for a `solid`: a scene with strength.
+    pub(super) fn validate(&mut self, document: &Document, dimension: usize, solid: bool) -> Result<Numerics> {
         let eta = self.eta(document, dimension)?;
         self.eta = Some(Number::new(eta));
         self.neighbours = None;
@@ -222,17 +225,18 @@ impl RawNumerics {
                 largest: within("smoothing_length.largest", largest, 1.0, 100.0)?,
             },
         };
-        if self.angular_momentum && (!self.corrected_gradient || artificial_stress.is_some()) {
-            let what = "angular momentum is conserved by what the corrected gradient knows of a neighbourhood";
-            let error = document.error("numerics.angular_momentum", what);
-            return Err(error.allowed("numerics.corrected_gradient = true, and no artificial_stress"));
-        }
-        if self.density_contrast && (!self.corrected_gradient || self.angular_momentum || artificial_stress.is_some()) {
-            let what = "where neighbours do not count alike, only the corrected gradient is one";
-            let error = document.error("numerics.density_contrast", what);
-            return Err(
-                error.allowed("numerics.corrected_gradient = true, and neither angular_momentum nor artificial_stress")
-            );
+        let corrected_gradient = *self.corrected_gradient.get_or_insert(solid);
+        let angular_momentum = *self.angular_momentum.get_or_insert(solid && corrected_gradient);
+        if !corrected_gradient {
+            for (key, asked) in
+                [("angular_momentum", self.angular_momentum), ("density_contrast", self.density_contrast)]
+            {
+                if asked == Some(true) {
+                    let what = "it needs what the corrected gradient knows of a neighbourhood";
+                    let error = document.error(&format!("numerics.{key}"), what);
+                    return Err(error.allowed("numerics.corrected_gradient = true"));
+                }
+            }
         }
         Ok(Numerics {
             kernel: self.kernel,
@@ -240,12 +244,21 @@ impl RawNumerics {
             skin: within("skin", self.skin, 0.0, 1.0)?,
             eta,
             viscosity: self.viscosity,
-            corrected_gradient: self.corrected_gradient,
-            angular_momentum: self.angular_momentum,
-            density_contrast: self.density_contrast,
+            corrected_gradient,
+            angular_momentum,
+            density_contrast: false,
             artificial_stress,
             smoothing_length,
         })
+    }
+
+    /// Whether pairs of very different density get a term of their own: as asked for, or where a `solid` scene has bodies of such
+    /// densities, kg/m^3.
+    pub(super) fn contrast(&mut self, solid: bool, densities: impl Iterator<Item = f64> + Clone) -> bool {
+        let [least, most] = [f64::INFINITY, 0.0];
+        let least = densities.clone().fold(least, f64::min);
+        let differ = densities.fold(most, f64::max) > ALIKE * least;
+        *self.density_contrast.get_or_insert(solid && self.corrected_gradient == Some(true) && differ)
     }
 
     /// h over (m / rho)^(1/d), as given or by the number of neighbours.
@@ -290,17 +303,37 @@ mod tests {
     }
 
     #[test]
-    fn density_contrast_needs_the_corrected_gradient_alone() {
-        let on = ["numerics.density_contrast=true", "numerics.corrected_gradient=true"];
-        assert!(eta(&on).is_ok());
-        for wrong in [
-            &on[..1],
-            &[on[0], on[1], "numerics.angular_momentum=true"],
-            &[on[0], on[1], "numerics.artificial_stress=true"],
-        ] {
-            let error = eta(wrong).err().unwrap();
-            assert!(error.what.contains("corrected gradient") && error.place.contains("density_contrast"), "{error}");
+    fn what_needs_the_corrected_gradient_says_so() {
+        for key in ["density_contrast", "angular_momentum"] {
+            let on = format!("numerics.{key}=true");
+            assert!(eta(&[&on, "numerics.corrected_gradient=true", "numerics.artificial_stress=true"]).is_ok());
+            for wrong in [&[&on[..]][..], &[&on, "material.basalt.strength=true", "numerics.corrected_gradient=false"]]
+            {
+                let error = eta(wrong).err().unwrap();
+                assert!(error.what.contains("corrected gradient") && error.place.contains(key), "{error}");
+            }
         }
+    }
+
+    /// Solids get what is right for them, other matter does without it, and a scene's own word counts.
+    #[test]
+    fn defaults_follow_from_the_matter() {
+        let choices = |overrides: &[&str]| {
+            let overrides: Vec<String> = overrides.iter().map(|text| text.to_string()).collect();
+            let two = "[[body]]\nname = \"other\"\nshape = { sphere = { radius = 1 } }\nmaterial = \"basalt\"\n\
+                particles = 1000\nposition = [3, 0, 0]\n";
+            let n = Scene::parse("s.toml", &format!("{two}{TEXT}"), &overrides).unwrap().numerics;
+            [n.corrected_gradient, n.angular_momentum, n.density_contrast]
+        };
+        let (strong, light) = ("material.basalt.strength=true", "other.density=1300");
+        assert_eq!(choices(&[]), [false; 3]);
+        assert_eq!(choices(&[light]), [false; 3]);
+        assert_eq!(choices(&[strong]), [true, true, false]);
+        assert_eq!(choices(&[strong, light]), [true; 3]);
+        assert_eq!(choices(&[strong, "other.density=1400"]), [true, true, false]);
+        assert_eq!(choices(&[strong, light, "numerics.corrected_gradient=false"]), [false; 3]);
+        assert_eq!(choices(&[strong, light, "numerics.angular_momentum=false"]), [true, false, true]);
+        assert_eq!(choices(&[strong, light, "numerics.density_contrast=false"]), [true, true, false]);
     }
 
     #[test]

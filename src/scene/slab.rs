@@ -4,13 +4,14 @@
 //! and z the height above the lower one, both without load,
 //!
 //! ```text
-//! P = rho_0 g s        rho = rho(P, u)        height(z) = int_0^z rho_0 / rho dz'
+//! P = rho_0 g s        rho, u = isentrope(P)        height(z) = int_0^z rho_0 / rho dz'
 //! ```
 //! g the acceleration across the faces, m/s^2; H the thickness without load, m. In a plane that stays as it is, depths in units of
 //! mass do not change, so that the pressure is exact.
 
 use super::body::Body;
-use super::hydrostatic::density_at;
+use super::hydrostatic::{too_hot, too_much};
+use super::isentrope::Isentrope;
 use super::shape::Shape;
 use crate::error::{Error, Result};
 use crate::material::eos::Eos;
@@ -29,6 +30,8 @@ pub struct Slab {
     height: Vec<f64>,
     /// kg/m^3.
     density: Vec<f64>,
+    /// J/kg.
+    energy: Vec<f64>,
 }
 
 impl Slab {
@@ -38,31 +41,29 @@ impl Slab {
         let Shape::Box { size } = body.shape else { return Err(Error::new("the body is no box")) };
         let (thickness, low) = (size[up], body.centre[up] - 0.5 * size[up]);
         let step = thickness / SHEETS as f64;
-        let mut density = Vec::with_capacity(SHEETS + 1);
-        for sheet in 0..=SHEETS {
+        let isentrope = Isentrope::new(law, body.internal_energy).ok_or_else(|| too_hot(body))?;
+        let state = |sheet: usize| {
             let pressure = body.density * -uniform[up] * (thickness - step * sheet as f64);
-            let found = density_at(law, pressure, body.internal_energy);
-            density
-                .push(found.ok_or_else(|| {
-                    Error::new(format!("no density of the body has a pressure of {pressure:.3e} Pa"))
-                })?);
-        }
+            isentrope.at(pressure).ok_or_else(|| too_much(pressure))
+        };
+        let states = (0..=SHEETS).map(state).collect::<Result<Vec<_>>>()?;
+        let (density, energy): (Vec<f64>, Vec<f64>) = states.into_iter().unzip();
         let mut height = vec![0.0; SHEETS + 1];
         for k in 1..=SHEETS {
             height[k] = height[k - 1] + 0.5 * step * body.density * (1.0 / density[k] + 1.0 / density[k - 1]);
         }
-        Ok(Self { up, low, thickness, height, density })
+        Ok(Self { up, low, thickness, height, density, energy })
     }
 
-    /// For what lies at `point` without load, m: the place that it gets, and its density, kg/m^3.
-    pub fn at(&self, point: [f64; 3]) -> ([f64; 3], f64) {
+    /// For what lies at `point` without load, m: the place that it gets, its density, kg/m^3, and its internal energy, J/kg.
+    pub fn at(&self, point: [f64; 3]) -> ([f64; 3], f64, f64) {
         let place = ((point[self.up] - self.low) / self.thickness * SHEETS as f64).clamp(0.0, SHEETS as f64);
         let below = (place as usize).min(SHEETS - 1);
         let part = place - below as f64;
         let between = |values: &[f64]| values[below] + part * (values[below + 1] - values[below]);
         let mut moved = point;
         moved[self.up] = self.low + between(&self.height);
-        (moved, between(&self.density))
+        (moved, between(&self.density), between(&self.energy))
     }
 }
 
@@ -81,8 +82,8 @@ mod tests {
         let law = scene.materials[0].eos.law();
         let slab = Slab::new(&scene.bodies[0], &law, [2.0, -10.0, 0.0]).unwrap();
         for y in [-20e3, 0.0, 20e3] {
-            let ([x, height, _], density) = slab.at([3e3, y, 0.0]);
-            let (p, expected) = (law.pressure(density, 0.0).0, 2700.0 * 10.0 * (25e3 - y));
+            let ([x, height, _], density, energy) = slab.at([3e3, y, 0.0]);
+            let (p, expected) = (law.pressure(density, energy).0, 2700.0 * 10.0 * (25e3 - y));
             assert!((p / expected - 1.0).abs() < 1e-5 && x == 3e3, "{p} {expected}");
             let rise = slab.at([0.0, y + 50.0, 0.0]).0[1] - slab.at([0.0, y - 50.0, 0.0]).0[1];
             assert!((rise * density / (100.0 * 2700.0) - 1.0).abs() < 1e-5 && height < y);

@@ -178,13 +178,15 @@ impl Plan {
                 if let Some(damage) = damage.filter(|_| scene.materials[body.material].has_fracture()) {
                     columns.set(damage, i, body.damage_at(position));
                 }
+                let mut energy = body.internal_energy;
                 if let Some(pressed) = &pressed {
-                    let (place, density) = pressed.at(position);
+                    let (place, density, pressed_in) = pressed.at(position);
                     columns.set(core.position, i, Vec3::from(place));
                     columns.set(core.density.value, i, density);
+                    energy = pressed_in;
                 }
                 if let Some(u) = internal_energy {
-                    columns.set(u, i, body.internal_energy);
+                    columns.set(u, i, energy);
                 }
             }
             if let (Some(blast), Some(u)) = (body.blast, internal_energy) {
@@ -210,6 +212,7 @@ impl Plan {
                     .zip(&self.viscosity)
                     .map(|(body, pair)| traits(scene, body, *pair))
                     .collect(),
+                kernel: numerics.kernel,
                 artificial_stress_factor: numerics.artificial_stress.map_or(0.0, |a| a.factor),
                 eta: numerics.eta,
             },

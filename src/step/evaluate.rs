@@ -13,6 +13,7 @@ use crate::gravity::Attraction;
 use crate::material::{BodyConstants, Core, Late, Local, MaterialEffect, Motion};
 use crate::math::{Mat3, Sym};
 use crate::motion::Motions;
+use crate::pair::record::half;
 use crate::pair::{Layout, PairLoop, RowSums, Rows, correction, torque};
 use crate::particles::chunk::{CHUNK, Chunk};
 use crate::particles::columns::Entry;
@@ -36,6 +37,8 @@ pub struct Workspace {
     bad: Option<Bad>,
     /// Directed pairs inside the support.
     pairs: u64,
+    /// Velocities since the last [`Workspace::take`].
+    flight: Flight,
     /// Time spent in each effect so far.
     effects: Vec<Cell<Duration>>,
 }
@@ -54,14 +57,16 @@ impl Workspace {
             watched: (0..registry.entries.len()).filter(|&index| is_watched(&registry.entries[index])).collect(),
             bad: None,
             pairs: 0,
+            flight: Flight::NOTHING,
             effects: vec![Cell::default(); effects],
         }
     }
 
-    /// Limit, first bad particle and pairs since the last call.
-    pub fn take(&mut self) -> (Limit, Option<Bad>, u64) {
+    /// Limit, first bad particle, pairs and velocities since the last call.
+    pub fn take(&mut self) -> (Limit, Option<Bad>, u64, Flight) {
         let limit = std::mem::replace(&mut self.limit, Limit::NONE);
-        (limit, self.bad.take(), std::mem::take(&mut self.pairs))
+        let flight = std::mem::replace(&mut self.flight, Flight::NOTHING);
+        (limit, self.bad.take(), std::mem::take(&mut self.pairs), flight)
     }
 
     /// The first bad particle of the passes since the last call.
@@ -72,6 +77,30 @@ impl Workspace {
     /// Seconds that this thread has spent in each effect so far.
     pub fn effect_seconds(&self) -> impl Iterator<Item = f64> {
         self.effects.iter().map(|time| time.get().as_secs_f64())
+    }
+}
+
+/// Extremes of the velocities of many particles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Flight {
+    /// m/s
+    pub forward: [f64; 3],
+    /// Of the velocity's opposite.
+    pub backward: [f64; 3],
+    /// Smallest smoothing length, m.
+    pub thin: f64,
+}
+
+impl Flight {
+    pub const NOTHING: Self =
+        Self { forward: [f64::NEG_INFINITY; 3], backward: [f64::NEG_INFINITY; 3], thin: f64::INFINITY };
+
+    pub fn merge(&mut self, other: &Self) {
+        for k in 0..3 {
+            self.forward[k] = self.forward[k].max(other.forward[k]);
+            self.backward[k] = self.backward[k].max(other.backward[k]);
+        }
+        self.thin = self.thin.min(other.thin);
     }
 }
 
@@ -132,7 +161,7 @@ impl Physics<'_> {
             chunk.fetch(start - chunk.range.start..rows_now.end - chunk.range.start);
             self.pair_loop.sum(rows, rows_now, sums);
         }
-        self.find_motion(chunk, rows, workspace);
+        self.find_motion(chunk, rows, dt, workspace);
         for block in &workspace.new_rates {
             block.iter().for_each(|word| word.set(0));
         }
@@ -153,6 +182,18 @@ impl Physics<'_> {
         let local = self.local(chunk, workspace, dt);
         self.each_effect(workspace, |effect| effect.admit(&local));
         workspace.limit = workspace.limit.tighter(limit);
+        self.note_flight(chunk, workspace);
+    }
+
+    fn note_flight(&self, chunk: &Chunk, workspace: &mut Workspace) {
+        let velocity = chunk.view(self.core.velocity);
+        let mut flight = Flight::NOTHING;
+        for k in 0..chunk.len() {
+            let v: [f64; 3] = velocity.get(k).into();
+            let thin = self.packer.chunk_smoothing_length(chunk, k, workspace.bodies[k] as usize);
+            flight.merge(&Flight { forward: v, backward: v.map(|v| -v), thin });
+        }
+        workspace.flight.merge(&flight);
     }
 
     /// Calls every effect in its turn and notes the time that it took.
@@ -184,31 +225,49 @@ impl Physics<'_> {
     }
 
     /// Acceleration, velocity gradient and heating of each row.
-    fn find_motion(&self, chunk: &Chunk, rows: &Rows, workspace: &mut Workspace) {
+    fn find_motion(&self, chunk: &Chunk, rows: &Rows, dt: f64, workspace: &mut Workspace) {
         let layout = &self.pair_loop.layout;
         let dimension = layout.dimension;
         let stride = layout.stride();
         for (k, i) in chunk.range.clone().enumerate() {
             let sums = &workspace.sums[k];
             let record = &rows.records[rows.slots[i] as usize * stride..][..stride];
-            let inverse_density = 1.0 / record[layout.density()];
+            let inverse_density = record[layout.volume()] / self.constants[workspace.bodies[k] as usize].particle_mass;
             for a in 0..dimension {
                 workspace.acceleration[k * dimension + a] = inverse_density * sums.force[a];
             }
             let raw = gradient(dimension, &sums.gradient);
             let mut work = contract(&read_stress(layout, record), &raw);
             if let Some(moments) = &self.packer.moments {
-                let axial = &record[layout.axial()..layout.axial() + layout.axial_words()];
+                let axial = |k: usize| half(record, layout.axial() + k);
                 work += match dimension {
-                    2 => torque::heating::<2>(axial, &sums.gradient),
-                    _ => torque::heating::<3>(axial, &sums.gradient),
+                    2 => torque::heating::<2>(&[axial(0)], &sums.gradient),
+                    _ => torque::heating::<3>(&[axial(0), axial(1), axial(2)], &sums.gradient),
                 };
-                moments.keep(chunk, k, dimension, &sums.moment);
+                moments.keep(chunk, (k, dimension), &sums.moment, dt);
             }
             let heating = inverse_density * (work + 0.5 * sums.dissipation);
-            workspace.motion[k] = Motion { velocity_gradient: self.corrected(layout, &raw, sums), heating };
+            let velocity_gradient = match sums.neighbours {
+                0 => Mat3::from_diagonal_element(self.unloading(chunk, k, workspace.bodies[k] as usize, dt)),
+                _ => self.corrected(layout, &raw, sums),
+            };
+            workspace.motion[k] = Motion { velocity_gradient, heating };
             workspace.pairs += sums.neighbours as u64;
         }
+    }
+
+    /// The expansion, 1/s along each axis, by which a particle that has lost all neighbours lets go of its pressure, of either sign: at its
+    /// speed of sound over h, in ten steps or more, so that it limits no step. Without it the pressure of its last contact would
+    /// stay for good. Its energy stays, as nothing takes up work.
+    fn unloading(&self, chunk: &Chunk, k: usize, body: usize, dt: f64) -> f64 {
+        let at = |column| chunk.view(column).get(k);
+        let (pressure, c) = (at(self.core.pressure), at(self.core.sound_speed));
+        if !(c > 0.0 && dt > 0.0) {
+            return 0.0;
+        }
+        let h = self.packer.chunk_smoothing_length(chunk, k, body);
+        let rate = pressure / (at(self.core.density.value) * c * h);
+        rate.clamp(-0.1 / dt, 0.1 / dt) / self.registry.dimension as f64
     }
 
     fn corrected(&self, layout: &Layout, raw: &Mat3, sums: &RowSums) -> Mat3 {

@@ -5,7 +5,7 @@
 use super::phases::{Phase, Phases};
 use super::stepper::{Counters, StepSettings};
 use crate::domain::comm::Comm;
-use crate::domain::{Decomposition, Handles, Motion, Space};
+use crate::domain::{Closing, Decomposition, Flying, Handles, Motion, Space, Watch};
 use crate::gravity::ROUNDS;
 use crate::kernel::SUPPORT;
 use crate::material::{BodyConstants, Core};
@@ -149,6 +149,22 @@ impl<const D: usize> Neighbourhood<D> {
 
     /// How much of the skin is used up, as far as this rank sees; lists hold while no rank finds more than 1. Collective.
     pub fn skin_used(&mut self, columns: &Columns, settings: &StepSettings, comm: &Comm) -> f64 {
+        self.with_motion(columns, settings, |watch, motion| watch.skin_used(motion, comm))
+    }
+
+    /// The longest step in which nothing flies into each other unseen; `all`: the largest relative velocity anywhere, m/s. Collective.
+    pub fn closing(&mut self, columns: &Columns, settings: &StepSettings, all: f64, comm: &Comm) -> Closing {
+        let (velocity, id) = (columns.numbers(self.core.velocity.index), self.core.id);
+        let flying = Flying { velocity, relative: all, id: &|i| columns.get(id, i).0 };
+        self.with_motion(columns, settings, |watch, motion| watch.closing(motion, &flying, settings.cfl, comm))
+    }
+
+    fn with_motion<T>(
+        &mut self,
+        columns: &Columns,
+        settings: &StepSettings,
+        act: impl FnOnce(&mut Watch<D>, &Motion<'_, &(dyn Fn(usize) -> f64 + Sync)>) -> T,
+    ) -> T {
         let (now, id) = (self.smoothing_length, self.core.id);
         let constants: &[BodyConstants] = &settings.constants;
         let support = |i: usize| {
@@ -161,9 +177,9 @@ impl<const D: usize> Neighbourhood<D> {
         let motion = Motion {
             position: columns.numbers(self.core.position.index),
             build_position: columns.numbers(self.core.build_position.index),
-            support,
+            support: &support as &(dyn Fn(usize) -> f64 + Sync),
         };
-        self.parts_mut().watch.skin_used(&motion, comm)
+        act(&mut self.parts_mut().watch, &motion)
     }
 
     /// Moves the planes of the bisection if the loads of ranks differ too much; the next [`Neighbourhood::distribute`]

@@ -3,10 +3,11 @@
 
 use std::ops::Range;
 
+use crate::kernel::Kernel;
 use crate::material::{BodyConstants, Core, fracture, porosity};
 use crate::math::{Deviator, Sym, Vec3};
-use crate::pair::artificial_stress::artificial_stress;
-use crate::pair::record::Viscosity;
+use crate::pair::artificial_stress::{self, artificial_stress};
+use crate::pair::record::{Viscosity, set_half};
 use crate::pair::{Layout, Terms, torque};
 use crate::particles::{Chunk, Column, ColumnInfo, Columns, Life, Registry};
 
@@ -20,56 +21,76 @@ pub struct Packer {
     deviatoric_stress: Option<Column<Deviator>>,
     damage: Option<Column<f64>>,
     smoothing_length: Option<Column<f64>>,
-    /// M of the last evaluation, on its diagonal and beside it, where forces have no torque.
+    /// Where forces have no torque.
     pub moments: Option<Moments>,
     constants: Vec<BodyConstants>,
     bodies: Vec<BodyTraits>,
-    /// Strength epsilon of the artificial stress.
+    /// Strength epsilon of the artificial stress, and what counts of it in the torque of a neighbourhood.
     epsilon: f64,
+    artificial_share: f64,
     /// Spacing over smoothing length, to the power of the dimension, times two: V_max / h^d.
     most_volume: f64,
     /// Smoothing length over spacing.
     eta: f64,
 }
 
-/// Columns of the second moment M of each neighbourhood.
+/// Columns of the second moment M of each neighbourhood, at the last evaluation, and of how fast it changed.
 #[derive(Debug, Clone, Copy)]
-pub struct Moments([Column<Vec3>; 2]);
+pub struct Moments {
+    value: [Column<Vec3>; 2],
+    rate: [Column<Vec3>; 2],
+}
 
-const MOMENTS: [&str; 2] = ["moment_diagonal", "moment_off_diagonal"];
+const MOMENTS: [(&str, &str, &str); 4] = [
+    ("moment_diagonal", "", "Second moment of the neighbourhood: xx, yy, zz."),
+    ("moment_off_diagonal", "", "The same: xy, xz, yz, in the plane xy and nothing."),
+    ("moment_diagonal_rate", "1/s", "Its change over the last step: xx, yy, zz."),
+    ("moment_off_diagonal_rate", "1/s", "The same: xy, xz, yz, in the plane xy and nothing."),
+];
 
 impl Moments {
     pub fn declare(registry: &mut Registry) {
-        let about =
-            ["Second moment of the neighbourhood: xx, yy, zz.", "The same: xy, xz, yz, in the plane xy and nothing."];
-        for (name, about) in MOMENTS.into_iter().zip(about) {
-            let info = ColumnInfo { name, unit: "", about, life: Life::State, snapshot: false };
+        for (name, unit, about) in MOMENTS {
+            let info = ColumnInfo { name, unit, about, life: Life::State, snapshot: false };
             registry.owner("no_torque").column::<Vec3>(info);
         }
     }
 
     fn find(registry: &Registry) -> Option<Self> {
-        Some(Self([registry.find(MOMENTS[0])?, registry.find(MOMENTS[1])?]))
+        let column = |k: usize| registry.find(MOMENTS[k].0);
+        Some(Self { value: [column(0)?, column(1)?], rate: [column(2)?, column(3)?] })
     }
 
-    /// Keeps the moments of a chunk's particle, as the pair loop gives them.
+    /// Keeps the moments of a chunk's particle, as the pair loop gives them after a step of `dt`, s.
     #[inline]
-    pub fn keep(&self, chunk: &Chunk, k: usize, dimension: usize, m: &[f64; 6]) {
-        let [on, off] = self.0.map(|column| chunk.view(column));
-        match dimension {
-            2 => (on.set(k, Vec3::new(m[0], m[1], 0.0)), off.set(k, Vec3::new(m[2], 0.0, 0.0))),
-            _ => (on.set(k, Vec3::new(m[0], m[1], m[2])), off.set(k, Vec3::new(m[3], m[4], m[5]))),
+    pub fn keep(&self, chunk: &Chunk, (k, dimension): (usize, usize), m: &[f64; 6], dt: f64) {
+        let new = match dimension {
+            2 => [Vec3::new(m[0], m[1], 0.0), Vec3::new(m[2], 0.0, 0.0)],
+            _ => [Vec3::new(m[0], m[1], m[2]), Vec3::new(m[3], m[4], m[5])],
         };
+        let [value, rate] = [self.value, self.rate].map(|columns| columns.map(|column| chunk.view(column)));
+        // Before the first evaluation there is none.
+        let known = dt > 0.0 && value[0].get(k) != Vec3::zeros();
+        for part in 0..2 {
+            rate[part].set(k, if known { (new[part] - value[part].get(k)) / dt } else { Vec3::zeros() });
+            value[part].set(k, new[part]);
+        }
     }
 
-    fn pack(&self, columns: &Columns, i: usize, layout: &Layout, stress: &Sym, record: &mut [f64]) {
-        let [on, off] = self.0.map(|column| columns.get(column, i));
-        let m = Sym { xx: on.x, yy: on.y, zz: on.z, xy: off.x, xz: off.y, yz: off.z };
-        if layout.dimension == 2 {
-            record[layout.axial()] = torque::axial::<2>(stress, &m).z;
-        } else {
-            record[layout.axial()..layout.axial() + 3].copy_from_slice(torque::axial::<3>(stress, &m).as_slice());
-        }
+    /// M of particle `i` a step of `dt` after the last evaluation, as it changed before.
+    fn expected(&self, columns: &Columns, i: usize, dt: f64) -> Sym {
+        let [on, off] = [0, 1].map(|part| columns.get(self.value[part], i) + columns.get(self.rate[part], i) * dt);
+        Sym { xx: on.x, yy: on.y, zz: on.z, xy: off.x, xz: off.y, yz: off.z }
+    }
+}
+
+/// Writes w of a particle with this stress and M.
+fn write_axial(layout: &Layout, stress: &Sym, m: &Sym, record: &mut [f64]) {
+    if layout.dimension == 2 {
+        set_half(record, layout.axial(), torque::axial::<2>(stress, m).z);
+    } else {
+        let w = torque::axial::<3>(stress, m);
+        (0..3).for_each(|k| set_half(record, layout.axial() + k, w[k]));
     }
 }
 
@@ -93,6 +114,7 @@ pub struct PackSettings {
     pub constants: Vec<BodyConstants>,
     pub bodies: Vec<BodyTraits>,
     pub artificial_stress_factor: f64,
+    pub kernel: Kernel,
     /// Smoothing length over spacing.
     pub eta: f64,
 }
@@ -111,6 +133,7 @@ impl Packer {
             constants: settings.constants,
             bodies: settings.bodies,
             epsilon: settings.artificial_stress_factor,
+            artificial_share: artificial_stress::share(settings.kernel, settings.eta, dimension),
             most_volume: 2.0 / settings.eta.powi(dimension as i32),
             eta: settings.eta,
         }
@@ -157,20 +180,20 @@ impl Packer {
         self.bodies[body].viscosity
     }
 
-    /// Writes the records of owned particles `range` to `slots[i] * stride`.
+    /// Writes the records of owned particles `range`, a step of `dt` after the last evaluation, to `slots[i] * stride`.
     ///
     /// # Safety
     /// `records` must have room for every slot, and no one else may write to the slots of `range` meanwhile.
-    pub unsafe fn pack(&self, columns: &Columns, range: Range<usize>, slots: &[u32], records: *mut f64) {
+    pub unsafe fn pack(&self, columns: &Columns, (range, dt): (Range<usize>, f64), slots: &[u32], records: *mut f64) {
         let stride = self.layout.stride();
         for i in range {
             // SAFETY: the slot's record lies within `records` and belongs to this particle alone.
             let record = unsafe { std::slice::from_raw_parts_mut(records.add(slots[i] as usize * stride), stride) };
-            self.pack_one(columns, i, record);
+            self.pack_one(columns, (i, dt), record);
         }
     }
 
-    fn pack_one(&self, columns: &Columns, i: usize, record: &mut [f64]) {
+    fn pack_one(&self, columns: &Columns, (i, dt): (usize, f64), record: &mut [f64]) {
         let layout = &self.layout;
         let body = columns.get(self.core.id, i).body();
         let constants = &self.constants[body];
@@ -184,15 +207,15 @@ impl Packer {
         let h_power = if layout.dimension == 2 { h * h } else { h * h * h };
         let volume = (constants.particle_mass / density).min(self.most_volume * h_power);
         record[layout.volume()] = volume;
-        record[layout.density()] = constants.particle_mass / volume;
-        record[layout.h_inverse()] = 1.0 / h;
+        set_half(record, layout.density(), constants.particle_mass / volume);
+        set_half(record, layout.h_inverse(), 1.0 / h);
         let (alpha, beta) = self.bodies[body].viscosity;
         if layout.terms.viscosity != Viscosity::Off {
             let speed = self.loading_speed.filter(|_| self.bodies[body].by_loading).unwrap_or(self.core.sound_speed);
-            record[layout.alpha_c()] = alpha * columns.get(speed, i);
+            set_half(record, layout.alpha_c(), alpha * columns.get(speed, i));
         }
         if layout.terms.viscosity == Viscosity::OwnBeta {
-            record[layout.beta()] = beta;
+            set_half(record, layout.beta(), beta);
         }
         let pressure = columns.get(self.core.pressure, i);
         if !layout.terms.tensor {
@@ -201,12 +224,15 @@ impl Packer {
         }
         let stress = self.damaged_stress(columns, (i, body), pressure);
         write_tensor(layout.dimension, &stress, &mut record[layout.stress()..]);
+        let repulsion = layout.terms.artificial_stress.then(|| artificial_stress(&stress, self.epsilon));
         if let Some(moments) = &self.moments {
-            moments.pack(columns, i, layout, &stress, record);
+            let tensile = repulsion.map_or(stress, |r| stress.plus(&r, self.artificial_share));
+            write_axial(layout, &tensile, &moments.expected(columns, i, dt), record);
         }
-        if layout.terms.artificial_stress {
-            let r = artificial_stress(&stress, self.epsilon);
-            write_tensor(layout.dimension, &r, &mut record[layout.artificial()..]);
+        if let Some(r) = repulsion {
+            let mut words = [0.0; 6];
+            write_tensor(layout.dimension, &r, &mut words);
+            (0..layout.tensor_words()).for_each(|k| set_half(record, layout.artificial() + k, words[k]));
         }
     }
 

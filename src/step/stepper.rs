@@ -4,13 +4,14 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use super::diagnostics::{self, Sources, Totals};
-use super::evaluate::{Physics, Workspace, chunk_range};
+use super::evaluate::{Flight, Physics, Workspace, chunk_range};
 use super::failure::{Bad, Failure};
 use super::neighbourhood::Neighbourhood;
 use super::pack::Packer;
 use super::phases::{Phase, Phases};
 use super::time_step::Limit;
 use super::workers::Workers;
+use crate::domain::closing;
 use crate::domain::comm::Comm;
 use crate::gravity::attraction::Evaluation;
 use crate::gravity::{Attraction, Matter};
@@ -95,6 +96,8 @@ pub struct Stepper<'c, const D: usize> {
     all: Vec<u32>,
     pointers: Vec<(*mut u64, usize)>,
     bad: Option<Bad>,
+    /// Velocities of this rank's particles after the last evaluation.
+    flight: Flight,
     /// Whether lists and records were given back.
     pub(super) resting: bool,
 }
@@ -122,6 +125,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
             pointers: Vec::new(),
             resting: false,
             bad: None,
+            flight: Flight::NOTHING,
         }
     }
 
@@ -220,6 +224,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
             Limit::CFL => "CFL",
             Limit::ACCELERATION => "acceleration",
             Limit::MOTION => "damping",
+            Limit::CLOSING => "closing",
             effect => self.settings.effects[effect - Limit::EFFECTS].name(),
         }
     }
@@ -244,7 +249,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
     /// Pack, exchange, pair loop, rates, correction by `dt`; with all of it, where it is due, gravity for the steps to come.
     pub(super) fn evaluate(&mut self, dt: f64) {
         let start = Instant::now();
-        self.pack();
+        self.pack(dt);
         self.phases.add(Phase::Pack, start);
         let layout = self.settings.pair_loop.layout;
         let stride = layout.stride();
@@ -272,14 +277,15 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let boundary = std::mem::take(&mut self.boundary);
         self.evaluate_chunks(&boundary, dt);
         self.boundary = boundary;
-        let (mut limit, mut bad, mut pairs) = (Limit::NONE, None, 0);
+        let (mut limit, mut bad, mut pairs, mut flight) = (Limit::NONE, None, 0, Flight::NOTHING);
         self.workers.collect(|workspace| {
-            let (l, b, p) = workspace.take();
+            let (l, b, p, f) = workspace.take();
             limit = limit.tighter(l);
             bad = Bad::first(bad.take(), b);
             pairs += p;
+            flight.merge(&f);
         });
-        (self.limit, self.bad) = (limit, bad);
+        (self.limit, self.bad, self.flight) = (limit, bad, flight);
         self.counters.pairs += pairs;
         self.counters.updates += self.columns.len() as u64;
         self.phases.add(Phase::Pairs, start);
@@ -347,7 +353,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.pointers = chunks.into_pointers();
     }
 
-    fn pack(&mut self) {
+    fn pack(&mut self, dt: f64) {
         struct Records(*mut f64);
         // SAFETY: chunks write to the slots of their own particles only, which are all different.
         unsafe impl Sync for Records {}
@@ -361,7 +367,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let slots = &self.neighbourhood.local().slot_of_owned;
         self.workers.each(&self.all, |chunk, _| {
             // SAFETY: `records` has a slot for every local particle, and no two particles share one.
-            unsafe { packer.pack(columns, chunk_range(chunk, columns.len()), slots, records.start()) };
+            unsafe { packer.pack(columns, (chunk_range(chunk, columns.len()), dt), slots, records.start()) };
         });
     }
 
@@ -383,18 +389,42 @@ impl<'c, const D: usize> Stepper<'c, D> {
     /// One answer of all ranks after an evaluation: the next step, a particle gone bad, a wish to stop.
     pub(super) fn agree(&mut self, signal: u32) -> Result<Agreed, Failure> {
         let bad = self.bad.is_some() as u32 as f64;
-        let mut values = [self.limit.dt, -bad, -(signal as f64)];
+        let Flight { forward, backward, thin } = self.flight;
+        let mut values = [self.limit.dt, -bad, -(signal as f64), thin, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        for (value, v) in values[4..].iter_mut().zip(forward.into_iter().chain(backward)) {
+            *value = -v;
+        }
         let start = Instant::now();
         self.comm.all_min(&mut values);
         self.phases.add(Phase::Reduce, start);
-        if values[1] < 0.0 {
+        let [mut dt, bad, signal, thin, rest @ ..] = values;
+        if bad < 0.0 {
             return Err(Failure::of_ranks(self.bad.as_ref(), self.counters.steps, self.comm));
         }
-        if !(values[0] > 0.0 && values[0].is_finite()) {
-            let what = format!("no finite time step: {} s", values[0]);
+        let velocities = rest.map(|v| -v);
+        let fastest = closing::relative(&velocities[..D], &velocities[3..3 + D]);
+        // Otherwise nothing moves by as much as the limit of what closes allows.
+        if fastest * dt > self.settings.cfl * thin {
+            dt = dt.min(self.closing(fastest));
+        }
+        if !(dt > 0.0 && dt.is_finite()) {
+            let what = format!("no finite time step: {dt} s");
             return Err(Failure { step: self.counters.steps, particle: None, what });
         }
-        Ok(Agreed { dt: values[0], signal: -values[2] as u32 })
+        Ok(Agreed { dt, signal: -signal as u32 })
+    }
+
+    /// The longest step in which nothing flies into each other unseen, s. Collective.
+    fn closing(&mut self, fastest: f64) -> f64 {
+        let start = Instant::now();
+        let found = self.neighbourhood.closing(&self.columns, &self.settings, fastest, self.comm);
+        if let Some(particle) = found.particle {
+            let Core { id, position, .. } = self.settings.core;
+            let (id, position) = (self.columns.get(id, particle), self.columns.get(position, particle).into());
+            self.limit = self.limit.tighter(Limit { dt: found.dt, reason: Limit::CLOSING, id, position });
+        }
+        self.phases.add(Phase::Watch, start);
+        found.dt
     }
 
     fn find_chunks(&mut self) {

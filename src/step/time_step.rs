@@ -3,6 +3,7 @@
 //!   CFL            dt <= C h / (c + 0.6 (alpha c + beta |mu|))      Monaghan 1989 (J. Comp. Phys. 82, 1), eq. 4.9 with
 //!                                                                   the largest |mu| over approaching neighbours
 //!   acceleration   dt <= C sqrt(h / |a|)
+//!   closing        matter that is not in touch yet, see [`closing`](crate::domain::closing)
 //!
 //! and the limits of the material effects. Minima do not depend on order, so neither does the step.
 
@@ -12,7 +13,8 @@ use crate::particles::ParticleId;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit {
     pub dt: f64,
-    /// 0 CFL, 1 acceleration, 2 damping by prescribed motion, then the material effects in their order.
+    /// 0 CFL, 1 acceleration, 2 damping by prescribed motion, 3 matter that closes on other matter, then the material effects in
+    /// their order.
     pub reason: usize,
     pub id: ParticleId,
     pub position: [f64; 3],
@@ -22,8 +24,9 @@ impl Limit {
     pub const CFL: usize = 0;
     pub const ACCELERATION: usize = 1;
     pub const MOTION: usize = 2;
+    pub const CLOSING: usize = 3;
     /// First number of a material effect.
-    pub const EFFECTS: usize = 3;
+    pub const EFFECTS: usize = 4;
 
     pub const NONE: Self = Self { dt: f64::INFINITY, reason: 0, id: ParticleId(u64::MAX), position: [0.0; 3] };
 

@@ -15,7 +15,7 @@ use std::hint::black_box;
 use sph_mpi::kernel::{CubicSpline, Kernel, SUPPORT, Shape};
 use sph_mpi::math::lanes::{Avx2, Avx512, LANES, Lanes, Portable, Width, width};
 use sph_mpi::neighbours::NeighbourList;
-use sph_mpi::pair::record::Viscosity;
+use sph_mpi::pair::record::{Viscosity, set_half};
 use sph_mpi::pair::rows::Constants;
 use sph_mpi::pair::{Layout, PairLoop, RowSums, Rows, Terms, artificial_stress};
 use sph_mpi::particles::chunk::CHUNK;
@@ -392,11 +392,11 @@ fn program_records(layout: &Layout, particles: &[Particle], neighbourhood: &Neig
             record[layout.stress() + k] = if k < 3 { -p.pressure } else { draw(k) };
         }
         record[layout.volume()] = 1.0 / p.density;
-        record[layout.density()] = p.density;
-        record[layout.h_inverse()] = 1.0 / p.smoothing_length;
-        record[layout.alpha_c()] = 1.5 * p.sound_speed;
+        set_half(record, layout.density(), p.density);
+        set_half(record, layout.h_inverse(), 1.0 / p.smoothing_length);
+        set_half(record, layout.alpha_c(), 1.5 * p.sound_speed);
         if layout.terms.artificial_stress {
-            (0..layout.tensor_words()).for_each(|k| record[layout.artificial() + k] = 0.2 * draw(8 + k));
+            (0..layout.tensor_words()).for_each(|k| set_half(record, layout.artificial() + k, 0.2 * draw(8 + k)));
         }
     }
     layout.padding(&mut records[particles.len() * stride..]);
