@@ -228,8 +228,8 @@ mod tests {
             let off = ["material.basalt.fracture=false", "material.basalt.strength=false"];
             footprint(&off, 1)
         });
-        // 5 numbers of stress, 5 of its rate, damage and threshold.
-        assert_eq!(solid.parts[0].1 - fluid.parts[0].1, 2000.0 * 8.0 * 12.0);
+        // 5 numbers of stress, 5 of its rate, damage and threshold, 6 of the neighbourhood's second moment and 6 of its rate.
+        assert_eq!(solid.parts[0].1 - fluid.parts[0].1, 2000.0 * 8.0 * 24.0);
         assert_eq!((solid.ghosts, solid.sent()), (0.0, 0.0));
         let four = footprint(&[], 4);
         assert_eq!((four.particles, four.owned), (2000, 500.0));

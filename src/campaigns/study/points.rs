@@ -337,11 +337,11 @@ mod tests {
     #[test]
     fn one_at_a_time_goes_out_from_the_scene() {
         let study = study(
-            "combine = \"one_at_a_time\"\n[study.vary]\nnumerics.eta = [1.2, 1.4]\nnumerics.corrected_gradient = [true]\n",
+            "combine = \"one_at_a_time\"\n[study.vary]\nnumerics.eta = [1.2, 1.4]\nnumerics.artificial_stress = [true]\n",
         )
         .unwrap();
         // eta 1.4 is what the scene has.
-        assert_eq!(study.names, ["as the scene", "eta 1.2", "corrected_gradient"]);
+        assert_eq!(study.names, ["as the scene", "eta 1.2", "artificial_stress"]);
         assert_eq!(study.points[0].scene.numerics.eta, 1.4);
     }
 
