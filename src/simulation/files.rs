@@ -40,7 +40,7 @@ impl<const D: usize> Run<'_, D> {
         resources::give_memory_back();
         let particles = self.particles();
         let target = self.scene.impact.as_ref().map_or(0, |impact| impact.target);
-        let question = Question { dimension: D, target_mass: self.scene.bodies[target].mass() };
+        let question = Question { dimension: D, target_mass: self.scene.bodies[target].whole_mass() };
         let evaluation = outcome::evaluate(self.comm, &particles, &question);
         self.stepper.phases.add(Phase::Outcome, start);
         evaluation
