@@ -171,7 +171,8 @@ fn meet(changes: &[&str], comm: &Comm) -> Left {
     let settings = &hand.stepper.settings;
     let packer = &settings.packer;
     let damage = |i: usize, body: usize| packer.damage(&hand.stepper.columns, i, body);
-    let pieces = particles(&hand.stepper.columns, &settings.core, &settings.constants, damage);
+    let whole: Vec<usize> = (0..settings.constants.len()).collect();
+    let pieces = particles(&hand.stepper.columns, &settings.core, (&settings.constants, &whole), damage);
     let outcome =
         evaluate(comm, &pieces, &Question { dimension: 3, target_mass: mass, bodies: [0, 1], others: false }).outcome;
     let left = Left {

@@ -32,6 +32,7 @@ mod pay_for_use;
 mod ranks;
 mod ranks_domain;
 mod ranks_outcome;
+mod refined;
 mod rest;
 mod restart;
 mod sameness;

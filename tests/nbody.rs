@@ -97,7 +97,7 @@ fn a_pile_is_one_body_and_spray_is_many() {
             let (pile, x) = (Vec3::from(site) * 1e3, Vec3::from(site) * 1e3 + Vec3::new(1e5, 0.0, 0.0));
             let mut add = |id: u64, position: Vec3, velocity: Vec3| {
                 let (mass, volume) = (2.7e12, 1e9);
-                all.push(Particle { id, position, velocity, mass, volume, spacing: 1e3, damage: 1.0 });
+                all.push(Particle { id, body: 0, position, velocity, mass, volume, spacing: 1e3, damage: 1.0 });
             };
             // Turning at half the rate at which it would break up, 8.7e-4 /s; flying apart at three times that of escape.
             add(2 * n, pile, Vec3::z().cross(&pile) * 4.3e-4);

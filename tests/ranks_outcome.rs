@@ -43,7 +43,8 @@ fn question(dimension: usize, target_mass: f64) -> Question {
 fn particle(id: u64, site: [i64; 3], velocity: Vec3, damage: f64) -> Particle {
     let position = Vec3::from_fn(|k, _| SPACING * site[k] as f64);
     let volume = SPACING * SPACING * SPACING;
-    Particle { id, position, velocity, mass: 2700.0 * volume, volume, spacing: SPACING, damage }
+    let body = (id >> 48) as usize;
+    Particle { id, body, position, velocity, mass: 2700.0 * volume, volume, spacing: SPACING, damage }
 }
 
 fn share(comm: &Comm, all: &[Particle], half_width: f64) -> Vec<Particle> {

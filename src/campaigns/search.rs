@@ -151,7 +151,7 @@ impl<'a> Search<'a> {
 
     /// J/kg.
     fn q(&self, length: f64) -> f64 {
-        scaling::q(self.target.mass(), self.projectile_mass(length), self.speed)
+        scaling::q(self.target.whole_mass(), self.projectile_mass(length), self.speed)
     }
 
     /// Q of the impact whose Q_R is given, J/kg: Q_R = Q / (1 + x)^2 with the mass ratio x = Q / (v^2 / 2). No projectile
@@ -164,7 +164,7 @@ impl<'a> Search<'a> {
 
     /// The radius that gives this Q, m.
     fn length(&self, q: f64) -> f64 {
-        let mass = scaling::projectile_mass(self.target.mass(), q, self.speed);
+        let mass = scaling::projectile_mass(self.target.whole_mass(), q, self.speed);
         self.projectile.shape.outer_radius() * libm::cbrt(mass / self.projectile.mass())
     }
 
@@ -195,7 +195,7 @@ impl<'a> Search<'a> {
         let report = simulation::run(&scene, &Options { directory, ..options.clone() }, comm)?;
         let (Ended::Finished, Some(outcome)) = (report.ended, report.outcome) else { return Ok(None) };
         let later = report.later.unwrap_or_else(|| outcome.clone());
-        let (target, projectile) = (self.target.mass(), self.projectile_mass(length));
+        let (target, projectile) = (self.target.whole_mass(), self.projectile_mass(length));
         Ok(Some(Impact {
             repeat,
             length,

@@ -33,6 +33,7 @@ pub struct Question {
     pub face: Vec3,
     /// The axis that points out of the ground.
     pub up: usize,
+    /// The body at the point of impact: bins are as wide as its particles.
     pub target: usize,
     pub projectile: usize,
     /// Upward speed from which on matter counts as ejected, m/s.

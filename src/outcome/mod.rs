@@ -28,7 +28,7 @@ use serde::{Deserialize, Serialize};
 use crate::domain::comm::Comm;
 use crate::material::{BodyConstants, Core};
 use crate::math::{ExactSum, Vec3};
-use crate::particles::{Columns, ParticleId};
+use crate::particles::Columns;
 use origin::Origin;
 use tally::{Scale, Tally};
 
@@ -41,6 +41,8 @@ pub const STRICT_DAMAGE: f64 = 0.5;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Particle {
     pub id: u64,
+    /// Number of the scene's body that it comes from.
+    pub body: usize,
     /// m.
     pub position: Vec3,
     /// m/s.
@@ -55,18 +57,12 @@ pub struct Particle {
     pub damage: f64,
 }
 
-impl Particle {
-    /// Number of the body it comes from.
-    pub fn body(&self) -> usize {
-        ParticleId(self.id).body()
-    }
-}
-
-/// The owned particles as the outcome sees them; `damage` of particle i of a body.
+/// The owned particles as the outcome sees them; `whole`: the scene's body that each is or is a part of, `damage`: of particle i of
+/// a body.
 pub fn particles(
     columns: &Columns,
     core: &Core,
-    constants: &[BodyConstants],
+    (constants, whole): (&[BodyConstants], &[usize]),
     damage: impl Fn(usize, usize) -> f64,
 ) -> Vec<Particle> {
     let sizes: Vec<(f64, f64)> = constants
@@ -81,6 +77,7 @@ pub fn particles(
         let (volume, spacing) = sizes[id.body()];
         Particle {
             id: id.0,
+            body: whole[id.body()],
             position: columns.get(core.position, i),
             velocity: columns.get(core.velocity, i),
             mass: constants[id.body()].particle_mass,

@@ -44,7 +44,7 @@ impl Tally {
     /// `bodies`: numbers of the two that are asked about.
     pub fn add(&mut self, scale: &Scale, p: &Particle, bodies: [usize; 2]) {
         let (weighted, momentum) = (p.position * p.mass, p.velocity * p.mass);
-        let [a, b] = bodies.map(|body| if p.body() == body { p.mass } else { 0.0 });
+        let [a, b] = bodies.map(|body| if p.body == body { p.mass } else { 0.0 });
         let values = [p.mass, p.volume, weighted.x, weighted.y, weighted.z, momentum.x, momentum.y, momentum.z, a, b];
         self.count += 1;
         for (k, value) in values.into_iter().enumerate() {
@@ -120,7 +120,7 @@ mod tests {
 
     fn particle(id: u64, mass: f64, x: f64) -> Particle {
         let (position, velocity) = (Vec3::new(x, -2.0 * x, 1.0), Vec3::new(-x, 0.0, 3.0));
-        Particle { id, position, velocity, mass, volume: mass / 2.0, spacing: 1.0, damage: 0.0 }
+        Particle { id, body: 0, position, velocity, mass, volume: mass / 2.0, spacing: 1.0, damage: 0.0 }
     }
 
     #[test]

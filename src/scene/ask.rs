@@ -107,6 +107,13 @@ impl Scene {
         Some(Face { middle, up })
     }
 
+    /// The body at the point of impact: the target, or the finest of its parts.
+    pub fn at_impact(&self) -> Option<usize> {
+        let target = self.impact.as_ref()?.target;
+        let finer = |body: &usize| self.bodies[*body].whole(*body) == target;
+        (target + 1..self.bodies.len()).find(finer).or(Some(target))
+    }
+
     /// Whether the target stands for ground that goes on beyond its ends: a half sphere, or what has a layer at its outer
     /// faces. Then it has no remnants.
     pub fn hits_ground(&self) -> bool {

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::blocks::{Joints, Rubble};
 use super::boundaries::fills;
+use super::cut::Cut;
 use super::hydrostatic::Start;
 use super::lattice::{Faces, IDENTITY, Lattice, LatticeKind, Rotation, random_rotation, rotation_about};
 use super::raw::{Components, RawBody, RawOrientation, RawShape, Spacing};
@@ -48,21 +49,38 @@ pub struct Body {
     pub rubble: Option<Rubble>,
     pub joints: Option<Joints>,
     pub start: Start,
+    /// What of the shape it is, where an impact refines its target.
+    pub cut: Option<Cut>,
 }
 
 impl Body {
     /// Exact volume of its matter, m^3 (in 2D m^2, per metre of depth).
     pub fn volume(&self) -> f64 {
+        self.cut.map_or_else(|| self.whole_volume(), |cut| cut.volume)
+    }
+
+    /// The same of all parts together.
+    fn whole_volume(&self) -> f64 {
         self.rubble.as_ref().map_or_else(|| self.shape.volume(self.dimension), |rubble| rubble.volume)
     }
 
-    /// Exact mass of the shape, kg (per metre of depth in 2D).
+    /// Exact mass of its matter, kg (per metre of depth in 2D).
     pub fn mass(&self) -> f64 {
         self.density * self.volume()
     }
 
+    /// Exact mass of the body that it is or is a part of, kg (per metre of depth in 2D).
+    pub fn whole_mass(&self) -> f64 {
+        self.density * self.whole_volume()
+    }
+
+    /// Number of the scene's body that this one, with this number, is or is a part of.
+    pub fn whole(&self, number: usize) -> usize {
+        self.cut.map_or(number, |cut| cut.body)
+    }
+
     pub fn contains(&self, point: [f64; 3]) -> bool {
-        self.shape.contains(std::array::from_fn(|k| point[k] - self.centre[k]), self.dimension)
+        self.holds(std::array::from_fn(|k| point[k] - self.centre[k]))
     }
 
     /// Velocity at the start of a particle at `point`, m/s, but for a mode of vibration.
@@ -84,6 +102,7 @@ impl Body {
 
     fn holds(&self, local: [f64; 3]) -> bool {
         is_filled(local, &self.shape, self.rubble.as_ref(), self.dimension)
+            && self.cut.is_none_or(|cut| cut.holds(local))
     }
 
     /// Lattice sites are numbered below this; those inside the shape are its particles.
@@ -102,6 +121,12 @@ impl Body {
     /// Particles among the sites of `range`.
     pub fn count(&self, range: Range<u64>) -> u64 {
         range.filter(|site| self.holds(self.lattice.position(*site))).count() as u64
+    }
+
+    /// Whether it has no particles at all; those of many sites are not counted.
+    pub(super) fn has_no_site(&self) -> bool {
+        let sites = self.lattice_sites();
+        sites <= COUNTED && self.count(0..sites) == 0
     }
 
     /// Particles as expected from the volume; the true number differs at the surface.
@@ -191,6 +216,7 @@ impl Reader<'_> {
             rubble,
             joints: self.joints(raw, &shape, material.1)?,
             start: raw.start,
+            cut: None,
         };
         let body = Body { motion: self.motion(raw, body.velocity)?, ..body };
         let mass = body.mass();
@@ -202,8 +228,7 @@ impl Reader<'_> {
             let what = format!("at {} numbers do not tell its particles apart", Length::new(*far));
             return Err(self.error("position", what).allowed("places nearer to the origin, or larger particles"));
         }
-        let sites = body.lattice_sites();
-        if sites <= COUNTED && body.count(0..sites) == 0 {
+        if body.has_no_site() {
             let what = format!("no particle fits into the body at a spacing of {}", Length::new(body.lattice.spacing));
             return Err(self.error("spacing", what).allowed("a smaller spacing, or a number of particles"));
         }

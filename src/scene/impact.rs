@@ -69,16 +69,33 @@ impl Impact {
         Ok(Self { target, projectile, speed: raw.speed.0, angle: raw.angle.0, angle_at: raw.angle_at })
     }
 
+    /// How far the path of a sphere passes beside the centre of another, m.
+    fn aside(&self, r_t: f64, r_p: f64) -> f64 {
+        let s = libm::sin(self.angle);
+        match self.angle_at {
+            AngleAt::Contact => s * (r_t + r_p),
+            AngleAt::Centre => s * r_t,
+        }
+    }
+
+    /// Where the surfaces touch first, from the target's centre, m: on a sphere, or in the middle of the upper face.
+    pub fn point(&self, target: &Body, projectile: &Body) -> [f64; 3] {
+        if let Shape::Sphere { radius } = target.shape {
+            let r_p = projectile.shape.outer_radius();
+            let sine = self.aside(radius, r_p) / (radius + r_p);
+            return [radius * (1.0 - sine * sine).sqrt(), radius * sine, 0.0];
+        }
+        let (bounds, up) = (target.shape.bounds(target.dimension), target.dimension - 1);
+        std::array::from_fn(|k| if k == up { bounds.middle[k] + bounds.half[k] } else { 0.0 })
+    }
+
     /// Centre and velocity of the projectile, `gap` (m) between the surfaces.
     pub fn place(&self, target: &Body, projectile: &Body, gap: f64) -> Result<([f64; 3], [f64; 3])> {
         let (s, c) = (libm::sin(self.angle), libm::cos(self.angle));
         match (target.shape, projectile.shape) {
             (Shape::Sphere { radius: r_t }, Shape::Sphere { radius: r_p }) => {
                 let contact = r_t + r_p;
-                let y = match self.angle_at {
-                    AngleAt::Contact => s * contact,
-                    AngleAt::Centre => s * r_t,
-                };
+                let y = self.aside(r_t, r_p);
                 let x = ((contact + gap) * (contact + gap) - y * y).sqrt();
                 let [tx, ty, tz] = target.centre;
                 Ok(([tx + x, ty + y, tz], [-self.speed, 0.0, 0.0]))

@@ -7,6 +7,7 @@ pub mod body;
 pub mod boundaries;
 pub mod compare;
 mod curves;
+pub mod cut;
 pub mod gravity;
 pub mod hydrostatic;
 pub mod identity;
@@ -20,6 +21,7 @@ mod materials;
 pub mod nbody;
 pub mod numerics;
 mod raw;
+mod refine;
 mod resolution;
 pub mod settings;
 pub mod shape;
@@ -191,7 +193,8 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
     }
     let gravity = raw.gravity.as_ref().map(|gravity| gravity.validate(document, dimension, &periods));
     let gravity = gravity.transpose()?.unwrap_or_default();
-    let bodies = bodies(document, raw, (&materials, &material_names), &periods, impact.as_ref(), numerics.eta)?;
+    let (mut bodies, parts) =
+        bodies(document, raw, (&materials, &material_names), &periods, impact.as_ref(), numerics.eta)?;
     numerics.density_contrast = raw.numerics.contrast(solid, bodies.iter().map(|body| body.density));
     check_starts(document, &bodies, (&materials, &gravity, &periods))?;
     check_overlaps(document, &bodies)?;
@@ -216,6 +219,12 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
         None => None,
         Some(threshold) => Some(threshold.validate(document, &varied(document, impact.as_ref(), &bodies)?)?),
     };
+    if bodies.len() + parts.len() > MOST_BODIES {
+        return Err(document
+            .error("impact.refine", "no numbers are left for the parts of the target")
+            .allowed("fewer bodies"));
+    }
+    bodies.extend(parts);
     let mut scene = Scene {
         title: raw.title.clone(),
         dimension,
@@ -297,7 +306,8 @@ fn check_names(document: &Document, raw: &RawScene) -> Result<()> {
     Ok(())
 }
 
-/// Reads the target first, as the projectile's spacing may follow it, and places the projectile last.
+/// Reads the target first, as the projectile's spacing may follow it, and places the projectile last. With the parts that a
+/// refined target has beside itself.
 fn bodies(
     document: &Document,
     raw: &mut RawScene,
@@ -305,7 +315,7 @@ fn bodies(
     periods: &Periods,
     impact: Option<&Impact>,
     eta: f64,
-) -> Result<Vec<Body>> {
+) -> Result<(Vec<Body>, Vec<Body>)> {
     let dimension = raw.dimension as usize;
     let read = |number: usize, body: &mut raw::RawBody, target_spacing: Option<f64>| {
         let placed = impact.is_some_and(|i| i.projectile == number);
@@ -317,6 +327,7 @@ fn bodies(
         body::Reader { document, path, dimension, periods, target_spacing, placed }
             .read(body, (material, &materials[material]))
     };
+    let refine = raw.impact.as_mut().and_then(|impact| impact.refine.as_mut()?.0.as_mut());
     let target_spacing = match impact {
         None => None,
         Some(i) => {
@@ -327,7 +338,8 @@ fn bodies(
                     .error(&place, "the target of an impact rests at the start")
                     .allowed("no velocity"));
             }
-            Some(target.lattice.spacing)
+            let given = refine.as_ref().map(|refine| refine.spacing(document, &target)).transpose()?.flatten();
+            Some(given.unwrap_or(target.lattice.spacing))
         }
     };
     let mut bodies = Vec::with_capacity(raw.body.len());
@@ -335,14 +347,19 @@ fn bodies(
         let follows = target_spacing.filter(|_| impact.is_some_and(|i| i.projectile == number));
         bodies.push(read(number, body, follows)?);
     }
+    let parts = match (refine, impact) {
+        (Some(refine), Some(i)) => refine.parts(document, &mut bodies, i)?,
+        _ => Vec::new(),
+    };
     if let Some(i) = impact {
         let (target, projectile) = (&bodies[i.target], &bodies[i.projectile]);
-        let h = target.expected_smoothing_length(eta).max(projectile.expected_smoothing_length(eta));
+        let near = parts.first().unwrap_or(target);
+        let h = near.expected_smoothing_length(eta).max(projectile.expected_smoothing_length(eta));
         let placed = i.place(target, projectile, SUPPORT * h);
         let (centre, velocity) = placed.map_err(|e| e.at(document.place(&format!("body.{}.shape", i.projectile))))?;
         (bodies[i.projectile].centre, bodies[i.projectile].velocity) = (centre, velocity);
     }
-    Ok(bodies)
+    Ok((bodies, parts))
 }
 
 /// The largest list radius that any particle may get, m.

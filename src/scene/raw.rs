@@ -18,7 +18,8 @@ use super::impact::AngleAt;
 use super::late_stage::RawLateStage;
 use super::lattice::LatticeKind;
 use super::nbody::Nbody;
-use super::numerics::RawNumerics;
+use super::numerics::{RawNumerics, Switch};
+use super::refine::RawRefine;
 use super::settings::{RawOutput, RawRun, RawThreshold};
 use super::start::{RawBlast, RawFlow};
 use crate::material::{MaterialTable, Records};
@@ -160,6 +161,7 @@ pub struct RawImpact {
     pub angle_at: AngleAt,
     pub target: Option<String>,
     pub projectile: Option<String>,
+    pub refine: Option<Switch<RawRefine>>,
 }
 
 /// Distance of nearest particles: given, or the target's (finer where the projectile would be too coarse).

@@ -8,8 +8,7 @@ impl Scene {
     /// Warnings about what the target cannot resolve: a projectile smaller than its spacing, paths that overlap by less than that.
     pub fn unresolved(&self) -> Vec<Warning> {
         let Some(impact) = &self.impact else { return Vec::new() };
-        let (target, projectile) = (&self.bodies[impact.target], &self.bodies[impact.projectile]);
-        let small = small_projectile(target, projectile);
+        let small = small_projectile(&self.bodies[self.at_impact().unwrap_or(impact.target)], &self.bodies[impact.projectile]);
         small.into_iter().chain(self.graze()).collect()
     }
 
@@ -57,7 +56,7 @@ fn small_projectile(target: &Body, projectile: &Body) -> Option<Warning> {
         "projectile",
         format!(
             "`{}` is {:.3} of the target's spacing across ({diameter:.4} m, {spacing:.4} m), and one particle of the target weighs {:.3e} \
-             of its: the target cannot resolve it (change: a spacing of `{}` of at most {diameter:.4} m, {:.2e} particles, or a \
+             of its: the target cannot resolve it (change: impact.refine = true, a spacing of `{}` of at most {diameter:.4} m, {:.2e} particles, or a \
              projectile of at least {spacing:.4} m across)",
             projectile.name,
             diameter / spacing,

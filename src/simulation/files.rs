@@ -35,7 +35,8 @@ impl<const D: usize> Run<'_, D> {
         let materials = self.scene.bodies.iter().map(|body| &self.scene.materials[body.material]);
         let vapour = Vapour::new(&columns.registry, &settings.core, materials);
         let damage = |i, body| vapour.damage(columns, (i, body), settings.packer.damage(columns, i, body));
-        outcome::particles(columns, &settings.core, &settings.constants, damage)
+        let whole: Vec<usize> = self.scene.bodies.iter().enumerate().map(|(n, body)| body.whole(n)).collect();
+        outcome::particles(columns, &settings.core, (&settings.constants, &whole), damage)
     }
 
     pub(super) fn evaluate_outcome(&mut self) -> Evaluation {
@@ -50,8 +51,9 @@ impl<const D: usize> Run<'_, D> {
 
     pub(super) fn question(&self) -> Question {
         let [target, projectile] = self.scene.impact.as_ref().map_or([0, 1], |i| [i.target, i.projectile]);
-        let target_mass = self.scene.bodies[target].mass();
-        Question { dimension: D, target_mass, bodies: [target, projectile], others: self.scene.bodies.len() > 2 }
+        let (target_mass, bodies) = (self.scene.bodies[target].whole_mass(), [target, projectile]);
+        let others = self.scene.bodies.iter().enumerate().any(|(n, body)| !bodies.contains(&body.whole(n)));
+        Question { dimension: D, target_mass, bodies, others }
     }
 
     /// Looks whether density is mass over volume, unless nothing has moved since the last look. Collective.

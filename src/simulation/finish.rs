@@ -43,7 +43,8 @@ impl<const D: usize> Run<'_, D> {
         self.state.outcome_time = self.state.time;
         if !self.scene.hits_ground() {
             let mut evaluation = self.evaluate_outcome();
-            let masses: Vec<f64> = self.scene.bodies.iter().map(|body| body.mass()).collect();
+            let whole = self.scene.bodies.iter().enumerate().filter(|(n, body)| body.whole(*n) == *n);
+            let masses: Vec<f64> = whole.map(|(_, body)| body.whole_mass()).collect();
             let asked = (&evaluation, &self.question());
             evaluation.outcome.bodies = origin::by_body(self.comm, &self.particles(), asked, &masses);
             let tables = distributions(self.comm, &evaluation, D);

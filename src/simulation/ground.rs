@@ -39,7 +39,7 @@ fn question(scene: &Scene) -> Option<Question> {
     Some(Question {
         face: Vec3::from(face.middle),
         up: face.up,
-        target: impact.target,
+        target: scene.at_impact()?,
         projectile: impact.projectile,
         ejection_speed: scene.outcome.map(|asked| asked.ejection_speed),
         extent,

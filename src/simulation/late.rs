@@ -89,7 +89,7 @@ pub fn free_fall_time(scene: &Scene) -> f64 {
 /// G M^2 / R of the target, J.
 pub fn binding(scene: &Scene) -> f64 {
     let target = target(scene);
-    G * target.mass() * target.mass() / target.shape.outer_radius()
+    G * target.whole_mass() * target.whole_mass() / target.shape.outer_radius()
 }
 
 /// The switch in figures; `scale`: the initial kinetic energy, J.

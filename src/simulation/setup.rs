@@ -163,7 +163,7 @@ impl Plan {
             for (i, (site, position)) in (first..).zip(body.sites(sites)) {
                 columns.set(core.id, i, ParticleId::new(number, site));
                 columns.set(core.position, i, Vec3::from(position));
-                let held = scene.layers.iter().position(|layer| layer.holds(number, position));
+                let held = scene.layers.iter().position(|layer| layer.holds(body.whole(number), position));
                 let motion = held.map_or(body.motion, |layer| scene.layers[layer].motion);
                 let mut velocity = body.velocity_at(position);
                 if let Some((mode, speed)) = &mode {

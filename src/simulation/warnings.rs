@@ -125,7 +125,7 @@ fn other_remnant(outcome: &Outcome, scene: &Scene) -> Option<Warning> {
     let impact = scene.impact.as_ref()?;
     let origin = |body: usize| outcome.bodies.iter().find(|origin| origin.body == body);
     let (target, projectile) = (origin(impact.target)?, origin(impact.projectile)?);
-    let mass = |body: usize| scene.bodies[body].mass();
+    let mass = |body: usize| scene.bodies[body].whole_mass();
     let own = target.in_largest_remnant * mass(impact.target);
     (own < projectile.in_largest_remnant * mass(impact.projectile)).then(|| {
         let (target, name) = (target.remnant, &scene.bodies[impact.projectile].name);

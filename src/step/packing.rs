@@ -16,6 +16,7 @@
 
 use super::Stepper;
 use crate::kernel::{CubicSpline, SUPPORT, Shape};
+use crate::pair::record::half;
 use crate::pair::{Layout, Rows};
 
 /// S beyond this or below its inverse is off.
@@ -107,7 +108,7 @@ impl<const D: usize> Neighbours<'_, D> {
     /// Sums of row `i`; nothing where its record has not been made.
     fn sums(&self, i: usize) -> Sums {
         let own = self.record(self.rows.slots[i]);
-        let g_i = own[self.layout.h_inverse()];
+        let g_i = half(own, self.layout.h_inverse());
         if g_i == 0.0 {
             return Sums::default();
         }
@@ -117,14 +118,15 @@ impl<const D: usize> Neighbours<'_, D> {
         let mut shift = [0.0; D];
         for &slot in &self.rows.entries[self.rows.offsets[i]..self.rows.offsets[i + 1]] {
             let other = self.record(slot);
-            let g = 0.5 * (g_i + other[self.layout.h_inverse()]);
+            let g_j = half(other, self.layout.h_inverse());
+            let g = 0.5 * (g_i + g_j);
             let x: [f64; D] = std::array::from_fn(|k| other[k] - own[k]);
             let q = g * x.iter().map(|x| x * x).sum::<f64>().sqrt();
             if q >= SUPPORT {
                 continue;
             }
             let w = CubicSpline::normalisation::<D>() * g.powi(D as i32) * CubicSpline::value(q);
-            let v = w * lattice_volume(other[self.layout.h_inverse()]);
+            let v = w * lattice_volume(g_j);
             packing += w * other[self.layout.volume()];
             cover += v;
             shift.iter_mut().zip(x).for_each(|(sum, x)| *sum += v * x * g);
