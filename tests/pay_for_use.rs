@@ -301,7 +301,7 @@ fn what_does_not_fit_into_memory_is_refused() {
         // An exabyte on each.
         footprint.parts[0].1 = 1e18;
         let error = footprint.require(comm).expect_err("an exabyte is refused").to_string();
-        assert!(error.contains("2000000000.0 GB") && error.contains("2 ranks"), "{error}");
+        assert!(error.contains("2000000.0 TB") && error.contains("2 ranks"), "{error}");
     });
 }
 

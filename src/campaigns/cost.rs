@@ -14,7 +14,7 @@ use crate::material::BodyConstants;
 use crate::outcome::settled::Settled;
 use crate::particles::Life;
 use crate::particles::columns::Entry;
-use crate::scene::{Precision, Scene, Snapshots, Until};
+use crate::scene::{Body, Precision, Scene, Snapshots, Until};
 use crate::simulation::footprint::Footprint;
 use crate::simulation::late::free_fall_time;
 use crate::simulation::setup::{self, Plan};
@@ -281,7 +281,10 @@ struct Course<'a> {
 
 impl<'a> Course<'a> {
     fn new(scene: &'a Scene, plan: &Plan) -> Self {
-        let (first, limiting) = step(scene, plan, 0.0);
+        let (first, limiting) = match step(scene, plan, 0.0) {
+            (dt, limiting) if dt.is_finite() => (dt, limiting),
+            _ => step(scene, plan, fastest(scene)),
+        };
         // Shocks of an impact close in with about its speed, in some particle or other until the end.
         let dt = scene.impact.as_ref().map_or(first, |impact| step(scene, plan, impact.speed).0);
         let (end, why) = end(scene);
@@ -305,6 +308,16 @@ impl<'a> Course<'a> {
     fn evaluations_per_step(&self) -> f64 {
         self.evaluations / self.steps
     }
+}
+
+/// The largest speed of a body's side, m/s: what limits the step of cold gas.
+fn fastest(scene: &Scene) -> f64 {
+    let at_side = |body: &Body| {
+        let mut side = body.centre;
+        side[0] += body.shape.outer_radius();
+        body.velocity_at(side).iter().map(|v| v * v).sum::<f64>().sqrt()
+    };
+    scene.bodies.iter().map(at_side).fold(0.0, f64::max)
 }
 
 /// When the late stage begins, s, if there is one: at the earliest, where that is to be seen.

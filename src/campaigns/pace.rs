@@ -196,7 +196,8 @@ fn block(scene: &Scene, plan: &setup::Plan, edge: u64) -> Columns {
     let number = (0..scene.bodies.len()).max_by_key(|&body| plan.constants[body].particles).unwrap_or(0);
     let (body, constants) = (&scene.bodies[number], &plan.constants[number]);
     let spacing = constants.smoothing_length / scene.numerics.eta;
-    let speed = MOTION * report::sound_speed(scene, number);
+    // Cold gas has no speed of sound, and steps as any that moves.
+    let speed = MOTION * Some(report::sound_speed(scene, number)).filter(|sound| *sound > 0.0).unwrap_or(1.0);
     let last = edge.pow(scene.dimension as u32);
     let core = plan.core;
     let mut columns = Columns::new(plan.registry.clone());
