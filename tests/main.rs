@@ -19,6 +19,7 @@ mod hard_neighbours;
 mod hard_pores;
 mod hard_pores_shocks;
 mod hard_rubble;
+mod kept_gravity;
 mod late_stage;
 mod nbody;
 mod output;
