@@ -23,6 +23,7 @@ mod hard_pores;
 mod hard_pores_shocks;
 mod hard_rubble;
 mod input;
+mod kept_gravity;
 mod late_stage;
 mod nbody;
 mod output;

@@ -4,7 +4,7 @@
 pub mod attraction;
 pub mod multipole;
 
-pub use attraction::{Attraction, Matter, OwnGravity, ROUNDS, declare_rounds};
+pub use attraction::{Attraction, Matter, OwnGravity, ROUNDS, Timing, declare_rounds};
 pub use multipole::{Body, Field, Opening, solve, solve_later};
 
 /// Newton's constant, m^3 / (kg s^2) (CODATA 2018).

@@ -66,6 +66,8 @@ pub struct Sources<'a> {
     pub effects: &'a [Box<dyn MaterialEffect>],
     pub motions: Option<&'a Motions>,
     pub gravity: Option<&'a Attraction>,
+    /// Seconds since own gravity was evaluated.
+    pub gravity_age: f64,
     pub internal_energy: Option<Column<f64>>,
 }
 
@@ -108,7 +110,7 @@ pub fn totals(sources: &Sources, comm: &Comm) -> Totals {
         ];
         fixed.iter().zip(&mut sums).for_each(|(term, sum)| sum.add(*term));
         if let Some(gravity) = sources.gravity {
-            sums[potential].add(m * gravity.energy(columns, i, &x));
+            sums[potential].add(m * gravity.energy(columns, sources.gravity_age, i, &x));
         }
         let mut first = FIXED;
         for (effect, count) in sources.effects.iter().zip(&counts) {

@@ -114,6 +114,8 @@ pub struct Physics<'a> {
     pub pair_loop: &'a PairLoop,
     pub motions: Option<&'a Motions>,
     pub gravity: Option<&'a Attraction>,
+    /// Seconds since own gravity was evaluated.
+    pub gravity_age: f64,
     pub cfl: f64,
     /// Time at the end of the step, s since the start.
     pub now: f64,
@@ -166,7 +168,7 @@ impl Physics<'_> {
             block.iter().for_each(|word| word.set(0));
         }
         if let Some(gravity) = self.gravity {
-            gravity.add(chunk, self.registry.dimension, &mut workspace.acceleration);
+            gravity.add(chunk, self.gravity_age, self.registry.dimension, &mut workspace.acceleration);
         }
         let held = self.motions.and_then(|motions| self.constrain(motions, chunk, workspace));
         let local = self.local(chunk, workspace, dt);

@@ -14,7 +14,7 @@ use super::workers::Workers;
 use crate::domain::closing;
 use crate::domain::comm::Comm;
 use crate::gravity::attraction::Evaluation;
-use crate::gravity::{Attraction, Matter};
+use crate::gravity::{Attraction, Matter, Timing};
 use crate::material::{BodyConstants, Core, MaterialEffect};
 use crate::motion::Motions;
 use crate::pair::{PairLoop, Rows};
@@ -57,9 +57,9 @@ pub struct Counters {
     pub pairs: u64,
     /// Force evaluations of owned particles, of this rank.
     pub updates: u64,
-    /// Seconds of the run since the particles' own gravity was last evaluated.
+    /// When the particles' own gravity was evaluated.
     #[serde(default)]
-    pub since_gravity: Option<f64>,
+    pub gravity: Timing,
     #[serde(default)]
     pub gravity_evaluations: u64,
 }
@@ -192,6 +192,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
             effects: &self.settings.effects,
             motions: self.settings.motions.as_ref(),
             gravity: self.settings.gravity.as_ref(),
+            gravity_age: self.counters.gravity.age.unwrap_or(0.0),
             internal_energy: self.internal_energy,
         };
         let totals = diagnostics::totals(&sources, self.comm);
@@ -236,7 +237,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
 
     pub(super) fn material_pass(&mut self, work: impl Fn(&Physics, &crate::particles::Chunk, &mut Workspace) + Sync) {
         let (registry, count) = (Arc::clone(&self.columns.registry), self.columns.len());
-        let physics = physics(&self.settings, &registry, self.counters.time);
+        let physics = physics(&self.settings, &registry, &self.counters);
         let chunks = Chunks::new(&mut self.columns, std::mem::take(&mut self.pointers));
         self.workers.each(&self.all, |chunk, workspace| {
             // SAFETY: each chunk is worked on once per pass, and chunks do not overlap.
@@ -297,14 +298,13 @@ impl<'c, const D: usize> Stepper<'c, D> {
     /// Begins an evaluation of the particles' own gravity, where it is due; returns it if others may go on meanwhile. Collective.
     fn begin_gravity(&mut self, dt: f64) -> Option<Evaluation<'c>> {
         let own = self.settings.gravity.and_then(|gravity| gravity.own)?;
-        let since = self.counters.since_gravity.map(|since| since + dt);
-        self.counters.since_gravity = since;
-        if !own.is_due(since, dt) {
+        let timing = &mut self.counters.gravity;
+        timing.age = timing.age.map(|age| age + dt);
+        if !own.is_due(timing, dt) {
             return None;
         }
-        self.counters.since_gravity = Some(0.0);
         self.counters.gravity_evaluations += 1;
-        let (start, first) = (Instant::now(), since.is_none());
+        let (start, first, lasts) = (Instant::now(), timing.age.is_none(), own.lasts(timing));
         let StepSettings { core, constants, packer, .. } = &self.settings;
         let mass_and_softening = |columns: &Columns, i: usize| {
             let body = columns.get(core.id, i).body();
@@ -313,8 +313,8 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let matter = Matter { id: core.id, position: core.position, mass_and_softening: &mass_and_softening };
         let evaluation = own.evaluation(&self.columns, &matter, first, self.comm);
         self.phases.add(Phase::Gravity, start);
-        // What counts a step later must not be much older for it.
-        if !first && own.interval >= STEPS_TO_OVERLAP * dt {
+        // What counts a step later must not be much older for it; until then the field before goes on.
+        if !first && lasts >= STEPS_TO_OVERLAP * dt {
             return Some(evaluation);
         }
         self.finish_gravity(evaluation);
@@ -325,7 +325,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let (start, waited) = (Instant::now(), self.comm.wait_seconds());
         let fields = evaluation.finish();
         if let Some(own) = self.settings.gravity.and_then(|gravity| gravity.own) {
-            own.keep(&mut self.columns, &fields);
+            own.keep(&mut self.columns, &fields, &mut self.counters.gravity);
         }
         // Waits for other ranks are no load of this one.
         let waited = self.comm.wait_seconds() - waited;
@@ -337,7 +337,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
 
     fn evaluate_chunks(&mut self, items: &[u32], dt: f64) {
         let (registry, count) = (Arc::clone(&self.columns.registry), self.columns.len());
-        let physics = physics(&self.settings, &registry, self.counters.time);
+        let physics = physics(&self.settings, &registry, &self.counters);
         let rows = Rows {
             records: bytemuck::cast_slice(&self.records),
             offsets: &self.neighbourhood.list.offsets,
@@ -475,7 +475,11 @@ impl<'c, const D: usize> Stepper<'c, D> {
     }
 }
 
-fn physics<'a>(settings: &'a StepSettings, registry: &'a crate::particles::Registry, now: f64) -> Physics<'a> {
+fn physics<'a>(
+    settings: &'a StepSettings,
+    registry: &'a crate::particles::Registry,
+    counters: &Counters,
+) -> Physics<'a> {
     Physics {
         registry,
         core: &settings.core,
@@ -485,7 +489,8 @@ fn physics<'a>(settings: &'a StepSettings, registry: &'a crate::particles::Regis
         pair_loop: &settings.pair_loop,
         motions: settings.motions.as_ref(),
         gravity: settings.gravity.as_ref(),
+        gravity_age: counters.gravity.age.unwrap_or(0.0),
         cfl: settings.cfl,
-        now,
+        now: counters.time,
     }
 }

@@ -4,6 +4,8 @@
 pub const HIGHEST: usize = 5;
 /// Multi-indices up to that order.
 pub const MOST: usize = count(HIGHEST);
+/// Multi-indices up to the degree above it, to which derivatives are wanted.
+pub const ALL: usize = count(HIGHEST + 1);
 
 /// Multi-indices of degree `order` and below.
 pub const fn count(order: usize) -> usize {
@@ -17,10 +19,10 @@ pub const fn index(a: usize, b: usize, c: usize) -> usize {
 }
 
 /// The multi-indices in their order.
-pub const POWERS: [[usize; 3]; MOST] = {
-    let mut all = [[0; 3]; MOST];
+pub const POWERS: [[usize; 3]; ALL] = {
+    let mut all = [[0; 3]; ALL];
     let mut n = 0;
-    while n <= HIGHEST {
+    while n <= HIGHEST + 1 {
         let mut a = 0;
         while a <= n {
             let mut c = 0;
@@ -42,13 +44,13 @@ pub const fn degree(index: usize) -> usize {
 }
 
 /// Number of the sum of two multi-indices; 0 where its degree is too high.
-pub static SUM: [[u8; MOST]; MOST] = {
-    let mut sums = [[0; MOST]; MOST];
+pub static SUM: [[u8; MOST]; ALL] = {
+    let mut sums = [[0; MOST]; ALL];
     let mut i = 0;
-    while i < MOST {
+    while i < ALL {
         let mut j = 0;
         while j < MOST {
-            if degree(i) + degree(j) <= HIGHEST {
+            if degree(i) + degree(j) <= HIGHEST + 1 {
                 let (p, q) = (POWERS[i], POWERS[j]);
                 sums[i][j] = index(p[0] + q[0], p[1] + q[1], p[2] + q[2]) as u8;
             }
@@ -85,7 +87,7 @@ mod tests {
             assert!(number < count(a + b + c) && (a + b + c == 0 || number >= count(a + b + c - 1)));
         }
         for (i, p) in POWERS.iter().enumerate() {
-            for (j, q) in POWERS.iter().enumerate().filter(|(j, _)| degree(i) + degree(*j) <= HIGHEST) {
+            for (j, q) in POWERS[..MOST].iter().enumerate().filter(|(j, _)| degree(i) + degree(*j) <= HIGHEST + 1) {
                 assert_eq!(POWERS[SUM[i][j] as usize], [p[0] + q[0], p[1] + q[1], p[2] + q[2]]);
             }
         }

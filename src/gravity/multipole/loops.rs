@@ -1,8 +1,8 @@
 //! The loops that take the time, on the instruction set of the run and for each order of expansion.
 
 use super::bodies::{Bodies, Place, add_distant, add_near};
-use super::expansions::{Local, add_sources, row};
-use super::indices::MOST;
+use super::expansions::{Beyond, Local, add_sources, add_whole, row};
+use super::indices::{ALL, count};
 use super::octree::Octree;
 use crate::math::lanes::{Avx2, Avx512, LANES, Lanes, Portable, Width, width};
 
@@ -15,56 +15,65 @@ const PADDING: [f64; row(super::indices::HIGHEST)] = {
     row
 };
 
-/// Adds the sources whose rows begin at `far`, which is padded, to the expansion at a sink.
-pub fn add_far(tree: &Octree, centre: &[f64; 3], far: &mut [usize], local: &mut Local) {
+/// Adds the sources whose rows begin at `far` to the expansion at a sink, a node of the tree.
+pub fn add_far(tree: &Octree, sink: usize, far: &[usize], local: &mut Local) {
+    let sink = tree.row(sink);
+    let mut beyond = [0.0; ALL];
+    let into = (&mut *local, &mut beyond);
     // SAFETY: `width` names only what the processor has; each of `far` is the beginning of a row.
     unsafe {
         match (width(), tree.order) {
-            (Width::Portable, order) => far_of_order::<Portable>(order, &tree.rows, centre, far, local),
-            (Width::Avx2, order) => far_avx2(order, &tree.rows, centre, far, local),
-            (Width::Avx512, order) => far_avx512(order, &tree.rows, centre, far, local),
+            (Width::Portable, order) => far_of_order::<Portable>(order, &tree.rows, sink, far, into),
+            (Width::Avx2, order) => far_avx2(order, &tree.rows, sink, far, into),
+            (Width::Avx512, order) => far_avx512(order, &tree.rows, sink, far, into),
         }
+    }
+    if !far.is_empty() {
+        add_whole(tree.order, sink, &beyond, local);
     }
 }
 
+/// L and X at a sink.
+type Sums<'a> = (&'a mut Local, &'a mut Beyond);
+
 #[target_feature(enable = "avx2,fma")]
-unsafe fn far_avx2(order: usize, rows: &[f64], centre: &[f64; 3], far: &[usize], local: &mut Local) {
+unsafe fn far_avx2(order: usize, rows: &[f64], sink: &[f64], far: &[usize], into: Sums) {
     // SAFETY: the caller's.
-    unsafe { far_of_order::<Avx2>(order, rows, centre, far, local) }
+    unsafe { far_of_order::<Avx2>(order, rows, sink, far, into) }
 }
 
 #[target_feature(enable = "avx512f,avx512vl,avx2,fma")]
-unsafe fn far_avx512(order: usize, rows: &[f64], centre: &[f64; 3], far: &[usize], local: &mut Local) {
+unsafe fn far_avx512(order: usize, rows: &[f64], sink: &[f64], far: &[usize], into: Sums) {
     // SAFETY: the caller's.
-    unsafe { far_of_order::<Avx512>(order, rows, centre, far, local) }
+    unsafe { far_of_order::<Avx512>(order, rows, sink, far, into) }
 }
 
 #[inline(always)]
-unsafe fn far_of_order<L: Lanes>(order: usize, rows: &[f64], centre: &[f64; 3], far: &[usize], local: &mut Local) {
+unsafe fn far_of_order<L: Lanes>(order: usize, rows: &[f64], sink: &[f64], far: &[usize], into: Sums) {
     // SAFETY: the caller's.
     unsafe {
         match order {
-            3 => far_sources::<L, 3>(rows, centre, far, local),
-            4 => far_sources::<L, 4>(rows, centre, far, local),
-            _ => far_sources::<L, 5>(rows, centre, far, local),
+            3 => far_sources::<L, 3>(rows, sink, far, into),
+            4 => far_sources::<L, 4>(rows, sink, far, into),
+            _ => far_sources::<L, 5>(rows, sink, far, into),
         }
     }
 }
 
 #[inline(always)]
-unsafe fn far_sources<L: Lanes, const P: usize>(rows: &[f64], centre: &[f64; 3], far: &[usize], local: &mut Local) {
+unsafe fn far_sources<L: Lanes, const P: usize>(rows: &[f64], sink: &[f64], far: &[usize], into: Sums) {
     // SAFETY: the caller's; the padding is addressed from the same base, in words.
     unsafe {
         if far.is_empty() {
             return;
         }
-        let centre = [L::splat(centre[0]), L::splat(centre[1]), L::splat(centre[2])];
-        let mut sums = [L::splat(0.0); MOST];
+        let centre = [L::splat(sink[0]), L::splat(sink[1]), L::splat(sink[2])];
+        let (mut sums, mut beyond) = ([L::splat(0.0); ALL], [L::splat(0.0); ALL]);
         let mut eights = far.chunks_exact(LANES);
         for eight in &mut eights {
             let mut offsets = [0; LANES];
             offsets.copy_from_slice(eight);
-            add_sources::<L, P>(&centre, rows.as_ptr(), &offsets, &mut sums);
+            add_sources::<L, P>(&centre, rows.as_ptr(), &offsets, &mut sums, &mut beyond);
         }
         let rest = eights.remainder();
         if !rest.is_empty() {
@@ -76,16 +85,22 @@ unsafe fn far_sources<L: Lanes, const P: usize>(rows: &[f64], centre: &[f64; 3],
                 let from = if lane < rest.len() { &rows[rest[lane]..][..row(P)] } else { &PADDING[..row(P)] };
                 block[lane * row(P)..(lane + 1) * row(P)].copy_from_slice(from);
             }
-            add_sources::<L, P>(&centre, block.as_ptr(), &offsets, &mut sums);
+            add_sources::<L, P>(&centre, block.as_ptr(), &offsets, &mut sums, &mut beyond);
         }
-        for first in (0..super::indices::count(P)).step_by(LANES) {
-            let mut eight = [L::splat(0.0); LANES];
-            let present = (super::indices::count(P) - first).min(LANES);
-            eight[..present].copy_from_slice(&sums[first..first + present]);
-            let folded = L::fold(eight);
-            for k in 0..present {
-                local[first + k] += folded[k];
-            }
+        fold_onto(&sums[..count(P)], into.0);
+        fold_onto(&beyond[..count(P + 1)], into.1);
+    }
+}
+
+/// Adds the lanes of each sum up.
+#[inline(always)]
+unsafe fn fold_onto<L: Lanes>(sums: &[L], onto: &mut [f64]) {
+    for (eight, onto) in sums.chunks(LANES).zip(onto.chunks_mut(LANES)) {
+        // SAFETY: the caller's.
+        unsafe {
+            let mut all = [L::splat(0.0); LANES];
+            all[..eight.len()].copy_from_slice(eight);
+            onto.iter_mut().zip(L::fold(all)).for_each(|(onto, sum)| *onto += sum);
         }
     }
 }

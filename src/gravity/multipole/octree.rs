@@ -166,14 +166,14 @@ impl Octree {
         let row = self.row(node);
         let mut moments = [0.0; MOST];
         moments[0] = row[3];
-        let known = count(self.order - 1);
+        let known = count(self.order);
         moments[4..known].copy_from_slice(&row[4..known]);
         moments
     }
 
     fn write_row(&mut self, node: usize, moments: &[f64; MOST]) {
         let Node { centre, side, .. } = self.nodes[node];
-        let (width, known) = (row(self.order), count(self.order - 1));
+        let (width, known) = (row(self.order), count(self.order));
         let row = &mut self.rows[node * width..(node + 1) * width];
         row[..3].copy_from_slice(&centre);
         row[3] = side.mass;

@@ -115,7 +115,7 @@ impl<'a> Walker<'a> {
             self.sort(sink, self.met[at] as usize);
         }
         let mut local = *local;
-        loops::add_far(self.tree, &self.tree.nodes[sink].centre, &mut self.far, &mut local);
+        loops::add_far(self.tree, sink, &self.far, &mut local);
         (local, after)
     }
 
