@@ -13,7 +13,15 @@ use sph_mpi::outcome::{Evaluation, Outcome, Piece, Strict};
 fn piece(label: u64, count: u64, mass: f64, speed: f64) -> Piece {
     let position = Vec3::new(1.0 + label as f64, 2.0, 2.0);
     let velocity = Vec3::new(10.0 + speed, 20.0, 0.0);
-    Piece { label, count, mass, volume: std::f64::consts::PI / 6.0 * (label as f64).powi(3), position, velocity, of: [mass, 0.0] }
+    Piece {
+        label,
+        count,
+        mass,
+        volume: std::f64::consts::PI / 6.0 * (label as f64).powi(3),
+        position,
+        velocity,
+        of: [mass, 0.0],
+    }
 }
 
 /// Two fragments and two loose particles of 1000 kg in all; the fragments are the largest remnant.

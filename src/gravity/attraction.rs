@@ -256,7 +256,8 @@ mod tests {
     #[test]
     fn gravity_is_due_at_the_step_nearest_to_its_time() {
         let own = OwnGravity::declare(&mut Registry::new(3), 0.01, 10.0);
-        assert!(own.is_due(None, 1.0), "it never was before");
+        let timing = |age: Option<f64>| Timing { age, spans: [10.0; 2] };
+        assert!(own.is_due(&timing(None), 1.0), "it never was before");
         for (since, dt, due) in [
             (0.0, 1.0, false),
             (9.4, 1.0, false),
@@ -265,10 +266,10 @@ mod tests {
             (7.9, 4.0, false),
             (8.0, 4.0, true),
         ] {
-            assert_eq!(own.is_due(Some(since), dt), due, "{since} {dt}");
+            assert_eq!(own.is_due(&timing(Some(since)), dt), due, "{since} {dt}");
         }
         let always = OwnGravity { interval: 0.0, ..own };
-        assert!(always.is_due(Some(0.0), 1e-9));
+        assert!(always.is_due(&timing(Some(0.0)), 1e-9));
     }
 
     /// The mean torque of a kept field on what turns by `turn` in an interval, over its acceleration.

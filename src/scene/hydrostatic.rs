@@ -137,7 +137,8 @@ impl Profile {
 
 /// No density without pressure.
 pub(super) fn too_hot(body: &Body) -> Error {
-    Error::new(format!("matter of {:.3e} J/kg has pressure at any density", body.internal_energy)).allowed("a cooler body")
+    Error::new(format!("matter of {:.3e} J/kg has pressure at any density", body.internal_energy))
+        .allowed("a cooler body")
 }
 
 /// No density with this pressure, Pa.

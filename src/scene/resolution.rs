@@ -8,7 +8,8 @@ impl Scene {
     /// Warnings about what the target cannot resolve: a projectile smaller than its spacing, paths that overlap by less than that.
     pub fn unresolved(&self) -> Vec<Warning> {
         let Some(impact) = &self.impact else { return Vec::new() };
-        let small = small_projectile(&self.bodies[self.at_impact().unwrap_or(impact.target)], &self.bodies[impact.projectile]);
+        let small =
+            small_projectile(&self.bodies[self.at_impact().unwrap_or(impact.target)], &self.bodies[impact.projectile]);
         small.into_iter().chain(self.graze()).collect()
     }
 
