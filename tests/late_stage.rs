@@ -172,7 +172,7 @@ fn what_makes_no_sense_is_refused() {
         (&["late_stage.at=settld"], "settled"),
         (&["late_stage={ at = \"10 s\" }"], "how soft"),
         (&["late_stage={ sound_speed = \"100 m/s\" }"], "`at` is missing"),
-        (&["late_stage.bulk_modulus=1e7 Pa"], "one of them"),
+        (&["late_stage={ at = \"settled\", sound_speed = \"100 m/s\", bulk_modulus = \"1e7 Pa\" }"], "one of them"),
         (&["late_stage.sound_speed=5 km/s"], "would not become softer"),
         (&["late_stage.sound_speed=2 m/s"], "press soft matter together by"),
         (&["late_stage.sound_sped=5 m/s"], "did you mean `sound_speed`"),

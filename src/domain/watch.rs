@@ -8,6 +8,7 @@
 //! | max d - min d |  <=  min( min over particles of level l of (L - s),   R - max over particles of finer levels of s )
 //! R = the smallest L of the particles of level l there, or the cells' side where there are none
 //! ```
+//! and half of that in the latter case, see [`closing`](super::closing).
 //!
 //! Why this is enough. Two particles, the wider of whose levels is c, that were not listed were at least max(L_i, L_j) apart.
 //! If their cells of level c lie at most two apart, some block of 3^D cells holds both, and the line above bounds how much
@@ -75,7 +76,9 @@ impl<const D: usize> Summary<D> {
     /// Relative displacement over what is allowed; `reach` is R above.
     fn used(&self, reach: f64) -> f64 {
         let apart = relative(&self.forward, &self.backward);
-        let allowed = (-self.lack).min(reach - self.finer);
+        // Where no particle of the block's own level is, half of it: what closes then always has half of the way left.
+        let alone = self.lack == f64::NEG_INFINITY;
+        let allowed = if alone { 0.5 * (reach - self.finer) } else { (-self.lack).min(reach - self.finer) };
         if allowed > 0.0 { apart / allowed } else { f64::INFINITY }
     }
 

@@ -5,10 +5,9 @@
 //!   du_i  = (1/rho_i) [ sigma_i : L_i + 1/2 sum_j V_j (p_ij v_ij . gW - f^4 v_ij . (R_i + R_j) . gW) ]
 //!   L_i   = sum_j V_j (v_j - v_i) (x) gW          M_i = sum_j V_j (x_j - x_i) (x) gW
 //!
-//! with x_ij = x_i - x_j, v_ij = v_i - v_j, gW = grad W(r, h_ij), V = min(m/rho, V_max), rho_i = m_i/V_i, and sigma the damaged stress.
-//!
-//! h_ij is the harmonic mean of h_i and h_j, but never less than two thirds of the larger: V_j is made for h_j, and a light particle beside a
-//! heavy one would see V_j / h_i^d times what it should with a kernel of its own, and be as much too stiff for its step.
+//! with x_ij = x_i - x_j, v_ij = v_i - v_j, gW = (grad W(h_i) + grad W(h_j)) / 2, V = min(m/rho, V_max), rho_i = m_i/V_i, and sigma the
+//! damaged stress. In a pair of unlike h the smaller counts as two thirds of the larger at least: V_j is made for h_j, and a light particle
+//! beside a heavy one would see V_j / h_i^d times what it should with a kernel of its own, and be as much too stiff for its step.
 //!
 //! The force of i on j is minus that of j on i term by term, and the energy sums are the exact
 //! counterpart of the momentum sums (swap i and j in the double sum), so that sum m (v^2/2 + u) is constant. Where densities

@@ -133,7 +133,7 @@ pub unsafe fn sum_rows<L: Lanes, F: Form, const D: usize>(
     unsafe {
         let stride = F::LAYOUT.stride();
         let base = rows.records.as_ptr();
-        let norm = L::splat(F::Kernel::normalisation::<D>());
+        let norm = L::splat(0.5 * F::Kernel::normalisation::<D>());
         let fixed = [norm, L::splat(constants.artificial_reference), L::splat(constants.beta)];
         for (row, sums_out) in range.zip(out) {
             let mine = &rows.records[rows.slots[row] as usize * stride..][..stride];
@@ -197,10 +197,13 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
         // Coincident particles: the slope's numerator is an exact zero at q = 0, and stays finite.
         r2 = r2.max(L::splat(1e-200));
         let r = r2.sqrt();
+        // No kernel of a pair is narrower than two thirds of the other.
         let (g_i, g_j) = (i.half(layout.h_inverse()), j.half(layout.h_inverse()));
-        // The mean of both, unless one is more than twice the other: then two thirds of the wider h, so that no division is needed.
-        let h_inverse = g_i.add(g_j).mul(L::splat(0.5)).min(g_i.min(g_j).mul(L::splat(1.5)));
-        let inside = r.mul(h_inverse).less(L::splat(crate::kernel::SUPPORT));
+        let wide = g_i.min(g_j);
+        let narrowest = wide.mul(L::splat(1.5));
+        let (g_i, g_j) = (g_i.min(narrowest), g_j.min(narrowest));
+        let h_inverse = g_i.add(g_j).mul(L::splat(0.5));
+        let inside = r.mul(wide).less(L::splat(crate::kernel::SUPPORT));
         sums.neighbours += L::count(inside);
 
         let zero = L::splat(0.0);
@@ -220,8 +223,9 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
             (out.r_inverse, out.pressure)
         };
 
-        // Slope of the pair's kernel, times V_j.
-        pair.slope = slope::<L, F, D>(r, h_inverse).mul(norm).mul(j.at(layout.volume())).mul(r_inverse);
+        // Mean of both kernels' slopes, times V_j.
+        let slopes = slope::<L, F, D>(r, g_i).add(slope::<L, F, D>(r, g_j));
+        pair.slope = slopes.mul(norm).mul(j.at(layout.volume())).mul(r_inverse);
         for a in 0..D {
             pair.gradient[a] = pair.slope.mul(x[a]);
         }

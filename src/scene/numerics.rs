@@ -226,7 +226,9 @@ impl RawNumerics {
             },
         };
         let corrected_gradient = *self.corrected_gradient.get_or_insert(solid);
-        let angular_momentum = *self.angular_momentum.get_or_insert(solid && corrected_gradient);
+        // Beside artificial stress, which turns things by itself, it costs rubber its rebound.
+        let torque_free = solid && corrected_gradient && artificial_stress.is_none();
+        let angular_momentum = *self.angular_momentum.get_or_insert(torque_free);
         if !corrected_gradient {
             for (key, asked) in
                 [("angular_momentum", self.angular_momentum), ("density_contrast", self.density_contrast)]
@@ -333,6 +335,7 @@ mod tests {
         assert_eq!(choices(&[strong, "other.density=1400"]), [true, true, false]);
         assert_eq!(choices(&[strong, light, "numerics.corrected_gradient=false"]), [false; 3]);
         assert_eq!(choices(&[strong, light, "numerics.angular_momentum=false"]), [true, false, true]);
+        assert_eq!(choices(&[strong, light, "numerics.artificial_stress=true"]), [true, false, true]);
         assert_eq!(choices(&[strong, light, "numerics.density_contrast=false"]), [true, true, false]);
     }
 

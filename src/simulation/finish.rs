@@ -15,7 +15,7 @@ use crate::outcome::origin;
 use crate::output::figures::or_warn;
 use crate::output::publish::replace;
 use crate::output::summary::Figures;
-use crate::output::{Summary, agree};
+use crate::output::{Summary, agree, snapshot};
 use crate::scene::Snapshots;
 
 /// What is still to be written of an outcome.
@@ -119,17 +119,18 @@ impl<const D: usize> Run<'_, D> {
             false => self.products.cut = true,
         }
         let (errors, nbody) = (self.errors(None), self.nbody());
-        let saved = match again {
-            Some(_) => Ok(()),
-            None => {
-                self.state.end = Some(End { has_outcome: at_end, later });
-                self.write_checkpoint()
-            }
+        let again = again.is_some();
+        let saved = if again {
+            Ok(())
+        } else {
+            self.state.end = Some(End { has_outcome: at_end, later });
+            self.write_checkpoint()
         };
         let snapshot =
             self.scene.output.snapshots != Snapshots::Never && self.state.snapshot_time != Some(self.state.time);
         // After a checkpoint that failed, room for a snapshot is not to be had, nor an HDF5 that can be relied on.
-        let snapshot = snapshot && saved.is_ok();
+        let there = again && !self.lacks(&[&snapshot::name(self.state.snapshots + 1)]);
+        let snapshot = snapshot && saved.is_ok() && !there;
         let summary = self.summary(errors.clone().unwrap_or_default(), nbody);
         let path = self.options.directory.join("summary.json");
         let told = saved.and(errors.and_then(|_| summary.write(&path, self.comm)));

@@ -71,10 +71,16 @@ impl<const D: usize> Run<'_, D> {
             ("nbody.csv", scene.nbody.is_some()),
             (&last, scene.output.snapshots != Snapshots::Never && self.state.snapshot_time != Some(self.state.time)),
         ];
-        let lacks = |(name, wanted): &(&str, bool)| *wanted && !self.options.directory.join(name).exists();
-        let mut lacking = [(self.comm.is_root() && wanted.iter().any(lacks)) as i64];
+        let wanted: Vec<&str> = wanted.into_iter().filter(|(_, wanted)| *wanted).map(|(name, _)| name).collect();
+        !self.lacks(&wanted)
+    }
+
+    /// Whether the directory lacks one of these files. Collective.
+    pub(super) fn lacks(&self, names: &[&str]) -> bool {
+        let lacks = |name: &&str| !self.options.directory.join(name).exists();
+        let mut lacking = [(self.comm.is_root() && names.iter().any(lacks)) as i64];
         self.comm.all_sum(&mut lacking);
-        lacking[0] == 0
+        lacking[0] > 0
     }
 
     /// The end has been moved later. Collective.
