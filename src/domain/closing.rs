@@ -139,7 +139,7 @@ impl<const D: usize> Watch<D> {
 
     /// Velocities of all cells, other ranks' included. Collective.
     fn exchange_flights<S: Fn(usize) -> f64 + Sync>(&mut self, motion: &Motion<'_, S>, velocity: &[f64], comm: &Comm) {
-        let (sends, receives) = &self.peers;
+        let [sends, receives] = &self.peers;
         let new = || {
             let numbers = |list: &[(usize, usize)]| {
                 list.iter().map(|&(rank, cells)| (rank, cells * words(D))).collect::<Vec<_>>()

@@ -38,6 +38,9 @@ const ABOVE: u32 = 2;
 /// Cells a thread takes at a time.
 pub(super) const CELLS: usize = 256;
 
+/// Ranks, each with the number of cells that it sends or is sent.
+type Peers = Vec<(usize, usize)>;
+
 /// Numbers of a cell that another rank must know.
 const fn words(dimension: usize) -> usize {
     2 * dimension + 2
@@ -141,7 +144,7 @@ pub struct Watch<const D: usize> {
     pub(super) blocks: Blocks,
     exchange: Exchange,
     /// (rank, cells) that go out, and that come in.
-    pub(super) peers: (Vec<(usize, usize)>, Vec<(usize, usize)>),
+    pub(super) peers: [Peers; 2],
     pub(super) send_cells: Vec<u32>,
     pub(super) receive_cells: Vec<u32>,
     pub(super) flights: Option<Flights<D>>,
@@ -219,7 +222,7 @@ impl<const D: usize> Watch<D> {
             radii,
             blocks: known.blocks::<D>(lattice, &cells, &levels),
             exchange: Exchange::new(comm, &numbers(&sends), &numbers(&receives)),
-            peers: (sends, receives),
+            peers: [sends, receives],
             flights: None,
             farthest: farthest(lattice, widest, (levels.len() - 2) as u32, D),
             cells,

@@ -176,7 +176,7 @@ mod tests {
         }
         // Just short of the farthest corner nothing jumps.
         for [a, b, c] in [[1.0, 2.0, 3.0], [3.0, 2.5, 0.4]] {
-            let corner = (0.25 * (a * a + b * b) + c * c) as f64;
+            let corner = 0.25 * (a * a + b * b) + c * c;
             let near = volume_within(&Shape::Box { size: [a, b, c] }, corner.sqrt() * (1.0 - 1e-9), 3).unwrap();
             assert!((near / (a * b * c) - 1.0).abs() < 1e-12, "{near}");
         }
