@@ -123,7 +123,14 @@ fn cases() -> Vec<Case> {
             solid,
             6 + 6 + 1 + 3,
         ),
-        case("+ artificial stress", "numerics.artificial_stress = true", false, with(&[]), tensile, 6 + 6 + 1 + 6),
+        case(
+            "+ artificial stress",
+            "numerics.artificial_stress = true\nnumerics.angular_momentum = true",
+            false,
+            with(&[]),
+            tensile,
+            6 + 6 + 1 + 6,
+        ),
         case(
             "+ records",
             "record = { peak_pressure = true, melt_fraction = true, vapour_fraction = true }",
