@@ -252,9 +252,8 @@ until = 1
 "#;
     ranks(1, "hard_neighbours::cold_gas_takes_the_steps_of_its_expansion", |comm| {
         let mut hand = ByHand::<3>::new(GAS, comm, |_| {});
-        // At the edge, where cells hold few particles, an expansion may be taken for matter that closes: up to five times the steps.
-        let (share, reason) = (hand.dt / (0.4 / 6.0), hand.stepper.tightest_limit().1);
-        assert!((0.15..1.0 + 1e-12).contains(&share) && ["density", "closing"].contains(&reason), "{share} {reason}");
+        assert!((hand.dt / (0.4 / 6.0) - 1.0).abs() < 1e-12, "{}", hand.dt);
+        assert_eq!(hand.stepper.tightest_limit().1, "density");
         hand.run(1.0, |_| {});
     });
 }

@@ -155,8 +155,7 @@ fn soft_matter_reaccumulates_as_stiff_matter_does() {
     // Over five orientations of the lattice it keeps 1.2 to 1.9 % more; 0.3 % is one particle.
     assert!((remnant(&soft) / remnant(&stiff) - 1.0).abs() < 0.03 && remnant(&soft) > 0.2, "{soft} {stiff}");
     assert!(factor > 8.0, "{factor}");
-    // At once; spray that may close on other matter holds the first steps shorter than sound alone would.
-    assert!(number(&soft, "/late_stage/time_step_factor") > 5.0, "{}", soft["late_stage"]);
+    assert!(number(&soft, "/late_stage/time_step_factor") > 20.0, "{}", soft["late_stage"]);
     // The jump is not in the drift.
     assert!(number(&soft, "/energy_drift") < 2e-4, "{}", soft["energy_drift"]);
 }

@@ -1,17 +1,21 @@
 //! How long matter that is not in touch yet needs until it is. The Courant condition knows sound, and the approach of pairs inside
 //! their supports; what is fast and soft could fly into other matter, or through it, within one of its steps. With the blocks of
-//! 3^D cells of [`watch`](super::watch), W the largest relative velocity that a block may hold, C the Courant number:
+//! 3^D cells of [`watch`](super::watch), W the largest velocity at which matter of a block may close on other matter of it, C the
+//! Courant number:
 //!
 //! ```text
 //! particles of the block's own level:          W dt <= C h              h: the smallest of them
 //! finer ones that no block of theirs holds:    W dt <= 2 S - d - s      S: side of the cells one level below, d: how far they have
 //!                                                                       come since the lists were built, s: their largest support
-//! all that no block holds:                     W dt <= 2 S - d - s      S: side of the widest cells watched; d, s, W: of everything
+//! all that no block holds:                     W dt <= 2 S - d - s      S: side of the widest cells watched; d, s: of everything,
+//!                                                                       W: the largest relative velocity of any two
+//! W^2 = sum over axes k of w_k^2,   w_k = max over a <= b of (max v_k in layer a  -  min v_k in layer b)
 //! ```
 //!
-//! as two sides were between particles that no block holds, see there. A pair so comes by C h into its supports at most before its forces are
-//! known. A block that holds smooth flow, such as an even expansion, has three times the relative velocity of its cells, and nothing that would
-//! meet within their distance: there 0.4 times the largest relative velocity w in a single cell stands for W; W <= 3.5 w tells it.
+//! Layers are halves of cells, numbered along the axis: of two particles in different layers only the approach counts, of two in one
+//! layer their relative velocity. What expands is so limited by the velocities within half a cell alone. As two sides were between
+//! particles that no block holds (see there), a pair comes by C h into its supports at most before its forces are known; particles
+//! that have passed each other since the lists were built stand in the wrong order, but they are in them.
 //!
 //! Matter of which nothing moves by C h in a step at all need not be looked at. Extremes are exact, and the same on any ranks.
 
@@ -20,51 +24,58 @@ use rayon::prelude::*;
 use super::comm::{Comm, Exchange};
 use super::watch::{Blocks, CELLS, Motion, Summary, Watch};
 
-/// Velocities in a cell: maxima only, so that cells merge element by element.
+/// Velocities in the halves of a cell along each axis: maxima only, so that cells merge element by element.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Flight<const D: usize> {
-    forward: [f64; D],
+    forward: [[f64; 2]; D],
     /// Of the velocity's opposite.
-    backward: [f64; D],
+    backward: [[f64; 2]; D],
     /// -h of the smallest particle of the cell's own level.
     thin: f64,
 }
 
-/// Relative velocity in a block over that in one of its cells, up to which its flow is smooth; and what then counts of the latter.
-const SMOOTH: f64 = 3.5;
-const WITHIN_CELL: f64 = 0.4;
-
 /// Numbers of a cell that another rank must know.
 const fn words(dimension: usize) -> usize {
-    2 * dimension + 1
+    4 * dimension + 1
 }
 
 impl<const D: usize> Flight<D> {
     const NOTHING: Self =
-        Self { forward: [f64::NEG_INFINITY; D], backward: [f64::NEG_INFINITY; D], thin: f64::NEG_INFINITY };
+        Self { forward: [[f64::NEG_INFINITY; 2]; D], backward: [[f64::NEG_INFINITY; 2]; D], thin: f64::NEG_INFINITY };
 
-    #[inline(always)]
     fn merge(&mut self, other: &Self) {
         for k in 0..D {
-            self.forward[k] = self.forward[k].max(other.forward[k]);
-            self.backward[k] = self.backward[k].max(other.backward[k]);
+            for half in 0..2 {
+                self.add(k, half, other.forward[k][half], other.backward[k][half]);
+            }
         }
         self.thin = self.thin.max(other.thin);
     }
 
-    fn relative(&self) -> f64 {
-        relative(&self.forward, &self.backward)
+    /// The velocities of a cell of the level below, whose code ends in `code`.
+    fn merge_child(&mut self, child: &Self, code: u64) {
+        for k in 0..D {
+            let half = (code >> (D - 1 - k) & 1) as usize;
+            let [forward, backward] = [child.forward[k], child.backward[k]].map(|v| v[0].max(v[1]));
+            self.add(k, half, forward, backward);
+        }
+    }
+
+    #[inline(always)]
+    fn add(&mut self, k: usize, half: usize, forward: f64, backward: f64) {
+        self.forward[k][half] = self.forward[k][half].max(forward);
+        self.backward[k][half] = self.backward[k][half].max(backward);
     }
 
     fn write(&self, to: &mut [f64]) {
-        to[..D].copy_from_slice(&self.forward);
-        to[D..2 * D].copy_from_slice(&self.backward);
-        to[2 * D] = self.thin;
+        to[..2 * D].copy_from_slice(self.forward.as_flattened());
+        to[2 * D..4 * D].copy_from_slice(self.backward.as_flattened());
+        to[4 * D] = self.thin;
     }
 
     fn read(from: &[f64]) -> Self {
-        let part = |first: usize| std::array::from_fn(|k| from[first + k]);
-        Self { forward: part(0), backward: part(D), thin: from[2 * D] }
+        let part = |first: usize| std::array::from_fn(|k| [from[first + 2 * k], from[first + 2 * k + 1]]);
+        Self { forward: part(0), backward: part(2 * D), thin: from[4 * D] }
     }
 }
 
@@ -172,18 +183,20 @@ impl<const D: usize> Watch<D> {
     ) {
         let (start, end) = (self.levels[level], self.levels[level + 1]);
         let (finer, flights) = flights.split_at_mut(start);
-        let mine = flights[..end - start].par_iter_mut().zip(&self.cells[start..end]);
+        let (cells, lattice) = (&self.cells, &self.lattice);
+        let mine = flights[..end - start].par_iter_mut().zip(&cells[start..end]);
         mine.with_min_len(CELLS).for_each(|(flight, cell)| {
             *flight = Flight::NOTHING;
-            for child in &finer[cell.children.start as usize..cell.children.end as usize] {
-                flight.merge(&Flight { thin: f64::NEG_INFINITY, ..*child });
+            for child in cell.children.start as usize..cell.children.end as usize {
+                flight.merge_child(&finer[child], cells[child].code);
             }
             for i in cell.particles.start as usize..cell.particles.end as usize {
                 flight.thin = flight.thin.max(-(motion.support)(i) / crate::kernel::SUPPORT);
+                let at = std::array::from_fn(|k| motion.build_position[D * i + k]);
+                let upper: [bool; D] = lattice.upper_half(&at, level as u32);
                 for k in 0..D {
                     let v = velocity[D * i + k];
-                    flight.forward[k] = flight.forward[k].max(v);
-                    flight.backward[k] = flight.backward[k].max(-v);
+                    flight.add(k, upper[k] as usize, v, -v);
                 }
             }
         });
@@ -197,16 +210,69 @@ fn limit<const D: usize>(
     sides: &[f64],
     courant: f64,
 ) -> f64 {
-    let (mut flight, mut inside) = (Flight::NOTHING, 0.0f64);
-    for &cell in blocks.cells_of(block) {
-        flight.merge(&flights[cell as usize]);
-        inside = inside.max(flights[cell as usize].relative());
-    }
-    let all = flight.relative();
-    let speed = if all <= SMOOTH * inside { WITHIN_CELL * inside } else { all };
-    let own = if flight.thin > f64::NEG_INFINITY { -courant * flight.thin } else { f64::INFINITY };
+    let (speed, thin) = approach(blocks.cells_of(block).iter().map(|&c| &flights[c as usize]), blocks.layers_of(block));
+    let own = if thin > f64::NEG_INFINITY { -courant * thin } else { f64::INFINITY };
     let (apart, finer) = blocks.moved(block, summaries);
     let gap =
         if finer > f64::NEG_INFINITY { 2.0 * sides[blocks.level(block) - 1] - apart - finer } else { f64::INFINITY };
     if speed > 0.0 { own.min(gap) / speed } else { f64::INFINITY }
+}
+
+/// The largest velocity W at which matter in a block of cells may close on other matter in it, and -h of the smallest particle of
+/// its level.
+fn approach<'a, const D: usize>(flights: impl Iterator<Item = &'a Flight<D>>, layers: &[u8]) -> (f64, f64) {
+    let (mut forward, mut backward) = ([[f64::NEG_INFINITY; 6]; D], [[f64::NEG_INFINITY; 6]; D]);
+    let mut thin = f64::NEG_INFINITY;
+    for (flight, &layers) in flights.zip(layers) {
+        thin = thin.max(flight.thin);
+        for k in 0..D {
+            let layer = (layers >> (2 * k) & 3) as usize;
+            // On both sides of everything.
+            let around: &[usize] = if layer == 3 { &[0, 2] } else { &[layer] };
+            for &layer in around {
+                for half in 0..2 {
+                    let place = 2 * layer + half;
+                    forward[k][place] = forward[k][place].max(flight.forward[k][half]);
+                    backward[k][place] = backward[k][place].max(flight.backward[k][half]);
+                }
+            }
+        }
+    }
+    let closing = |k: usize| {
+        let (mut behind, mut closing) = (f64::NEG_INFINITY, 0.0f64);
+        for (f, b) in forward[k].iter().zip(&backward[k]) {
+            behind = behind.max(*f);
+            closing = closing.max(behind + b);
+        }
+        closing
+    };
+    ((0..D).map(|k| closing(k).powi(2)).sum::<f64>().sqrt(), thin)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A cell in which velocities along x are from `low` to `high` in each half.
+    fn cell(halves: [(f64, f64); 2]) -> Flight<2> {
+        let mut flight = Flight::NOTHING;
+        for (half, (low, high)) in halves.into_iter().enumerate() {
+            flight.add(0, half, high, -low);
+            flight.add(1, half, 0.0, 0.0);
+        }
+        flight
+    }
+
+    #[test]
+    fn what_parts_does_not_close() {
+        let slow = cell([(-3.0, -2.5), (-2.0, -2.0)]);
+        let fast = cell([(1.0, 1.0), (5.0, 5.25)]);
+        // Layer 0 is behind layer 2 along x; all cells touch each other along y.
+        let [first, last] = [0b1100, 0b1110];
+        assert_eq!(approach([&slow, &fast].into_iter(), &[first, last]).0, 0.5);
+        assert_eq!(approach([&fast, &slow].into_iter(), &[first, last]).0, 8.25);
+        // On both sides of each other.
+        assert_eq!(approach([&slow, &fast].into_iter(), &[0b1111, 0b1111]).0, 8.25);
+        assert_eq!(approach::<2>([].into_iter(), &[]), (0.0, f64::NEG_INFINITY));
+    }
 }

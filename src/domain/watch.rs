@@ -109,7 +109,7 @@ impl<const D: usize> Summary<D> {
 /// A cell of some level with particles of this rank.
 #[derive(Debug, Clone)]
 pub(super) struct Cell {
-    code: u64,
+    pub(super) code: u64,
     /// Owned particles of exactly this level.
     pub(super) particles: std::ops::Range<u32>,
     /// Its cells of the level below.
@@ -133,6 +133,7 @@ pub struct Watch<const D: usize> {
     /// Side of the cells of each level, and of those in which the widest particles live, m.
     pub(super) sides: Vec<f64>,
     pub(super) widest_side: f64,
+    pub(super) lattice: Lattice,
     /// Of own cells, then of cells known from other ranks only.
     pub(super) summaries: Vec<Summary<D>>,
     /// Whether they are those of the present positions.
@@ -157,6 +158,8 @@ pub struct Watch<const D: usize> {
 pub(super) struct Blocks {
     offsets: Vec<u32>,
     cells: Vec<u32>,
+    /// Where in its block each of `cells` lies, see [`Block::layers`].
+    layers: Vec<u8>,
     /// R of each.
     pub(super) reach: Vec<f64>,
     /// The first block of each level.
@@ -216,6 +219,7 @@ impl<const D: usize> Watch<D> {
         Self {
             sides: (0..levels.len() as u32 - 1).map(|level| lattice.side(level)).collect(),
             widest_side: lattice.side(widest),
+            lattice: *lattice,
             summaries: vec![Summary::NOTHING; known.reach.len()],
             surveyed: false,
             supports: vec![0.0; cells.len()],
@@ -300,6 +304,7 @@ impl<const D: usize> Watch<D> {
         std::mem::size_of::<Cell>() * self.cells.len()
             + std::mem::size_of::<Summary<D>>() * self.summaries.len()
             + 8 * (self.supports.len() + self.radii.len() + self.blocks.reach.len())
+            + self.blocks.layers.len()
             + 4 * (self.blocks.offsets.len()
                 + self.blocks.cells.len()
                 + self.send_cells.len()
@@ -355,6 +360,11 @@ impl Blocks {
 
     pub(super) fn cells_of(&self, block: usize) -> &[u32] {
         &self.cells[self.offsets[block] as usize..self.offsets[block + 1] as usize]
+    }
+
+    /// Where the cells of a block lie in it.
+    pub(super) fn layers_of(&self, block: usize) -> &[u8] {
+        &self.layers[self.offsets[block] as usize..self.offsets[block + 1] as usize]
     }
 
     pub(super) fn level(&self, block: usize) -> usize {
@@ -475,7 +485,7 @@ impl Known {
             let numbers = levels[level as usize] as u32..levels[level as usize + 1] as u32;
             others.clear();
             for cell in own {
-                self.add_block(&mut blocks, level, &around::<D>(lattice, level, cell.code), |code, number| {
+                self.add_block::<D>(&mut blocks, level, &around::<D>(lattice, level, cell.code), |code, number| {
                     if !number.is_some_and(|number| numbers.contains(&number)) {
                         others.push(code);
                     }
@@ -484,19 +494,26 @@ impl Known {
             others.sort_unstable();
             others.dedup();
             for &centre in &others {
-                self.add_block(&mut blocks, level, &around::<D>(lattice, level, centre), |_, _| {});
+                self.add_block::<D>(&mut blocks, level, &around::<D>(lattice, level, centre), |_, _| {});
             }
         }
         blocks
     }
 
     /// Adds a block; `visit` sees the code of each of its cells, and the number of those that are known.
-    fn add_block(&self, blocks: &mut Blocks, level: u32, around: &Block, mut visit: impl FnMut(u64, Option<u32>)) {
+    fn add_block<const D: usize>(
+        &self,
+        blocks: &mut Blocks,
+        level: u32,
+        around: &Block,
+        mut visit: impl FnMut(u64, Option<u32>),
+    ) {
         let mut reach = f64::INFINITY;
-        for &code in around.codes() {
+        for (place, &code) in around.codes().iter().enumerate() {
             let number = self.tables[level as usize].get(code).map(|range| range.0);
             if let Some(number) = number {
                 blocks.cells.push(number);
+                blocks.layers.push(around.layers::<D>(place));
                 reach = reach.min(self.reach[number as usize]);
             }
             visit(code, number);

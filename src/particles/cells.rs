@@ -112,6 +112,18 @@ impl Lattice {
         })
     }
 
+    /// Whether a position lies in the upper half of its cell of some level, along each axis.
+    pub fn upper_half<const D: usize>(&self, position: &[f64; D], level: u32) -> [bool; D] {
+        if level > 0 {
+            return self.coordinates(position).map(|c| c >> (level - 1) & 1 == 1);
+        }
+        let half = Self::cells(1) as f64;
+        std::array::from_fn(|k| {
+            let cell = ((position[k] - self.origin[k]) / self.sides[k]).clamp(-half, half - 0.5);
+            cell - cell.floor() >= 0.5
+        })
+    }
+
     pub fn place<const D: usize>(&self, site: &Site<D>) -> Place {
         let level = self.level(site.radius);
         Place { level, cell: curve::encode(self.coordinates(&site.position)) >> (D as u32 * level), id: site.id }

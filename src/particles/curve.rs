@@ -19,6 +19,10 @@ pub fn decode<const D: usize>(code: u64) -> [u32; D] {
 pub struct Block {
     codes: [u64; 27],
     len: usize,
+    /// Cells along each axis.
+    counts: [u8; 3],
+    /// Axes along which all cells of the lattice touch each other.
+    short: [bool; 3],
 }
 
 impl Block {
@@ -38,11 +42,12 @@ impl Block {
                 _ => (c - 1, c + 1),
             }
         });
-        Self::of(ranges, |k, c| if period[k] == 0 { c } else { wrapped(c, side / 2, period[k]) })
+        let short = std::array::from_fn(|k| k < D && (1..=3).contains(&period[k]));
+        Self { short, ..Self::of(ranges, |k, c| if period[k] == 0 { c } else { wrapped(c, side / 2, period[k]) }) }
     }
 
     fn of<const D: usize>(ranges: [(u32, u32); D], place: impl Fn(usize, u32) -> u32) -> Self {
-        let mut block = Self { codes: [0; 27], len: 1 };
+        let mut block = Self { codes: [0; 27], len: 1, counts: [1; 3], short: [false; 3] };
         for (k, (low, high)) in ranges.into_iter().enumerate() {
             let count = (high - low + 1) as usize;
             let mut bits = [0; 3];
@@ -57,12 +62,25 @@ impl Block {
                 }
             }
             block.len *= count;
+            block.counts[k] = count as u8;
         }
         block
     }
 
     pub fn codes(&self) -> &[u64] {
         &self.codes[..self.len]
+    }
+
+    /// In which layer of the block, 0 to 2 along each of D axes, its cell `number` lies: two bits per axis, or 3 along axes on
+    /// which all cells touch each other, on both sides.
+    pub fn layers<const D: usize>(&self, number: usize) -> u8 {
+        let (mut layers, mut rest) = (0, number as u8);
+        for k in (0..D).rev() {
+            let layer = if self.short[k] { 3 } else { rest % self.counts[k] };
+            rest /= self.counts[k];
+            layers |= layer << (2 * k);
+        }
+        layers
     }
 }
 
@@ -133,5 +151,20 @@ mod tests {
         assert_eq!(inside, [[0, 1], [0, 2], [0, 3], [1, 1], [1, 2], [1, 3], [2, 1], [2, 2], [2, 3]]);
         assert_eq!(Block::around::<3>(encode([5, 6, 7]), 1 << BITS).codes().len(), 27);
         assert_eq!(Block::around::<3>(encode([0, 0, 0]), 2).codes().len(), 8);
+    }
+
+    #[test]
+    fn layers_of_a_block_ascend_along_each_axis() {
+        let block = Block::around::<3>(encode([5, 0, 7]), 16);
+        for (number, &code) in block.codes().iter().enumerate() {
+            let c = decode::<3>(code);
+            assert_eq!(block.layers::<3>(number) as u32, (c[0] - 4) | c[1] << 2 | (c[2] - 6) << 4);
+        }
+        // Through the end of the period, and where it has three cells only.
+        let block = Block::around_periodic::<2>(encode([8, 10]), 16, [5, 3]);
+        let layers: Vec<_> =
+            (0..block.codes().len()).map(|n| (decode::<2>(block.codes()[n])[0], block.layers::<2>(n))).collect();
+        assert_eq!(layers.iter().map(|l| l.0).collect::<Vec<_>>(), [12, 12, 12, 8, 8, 8, 9, 9, 9]);
+        assert_eq!(layers.iter().map(|l| l.1).collect::<Vec<_>>(), [12, 12, 12, 13, 13, 13, 14, 14, 14]);
     }
 }
