@@ -299,14 +299,7 @@ fn rock_beside_spray() {
                         let bodies = (0..2).map(traits).collect();
                         let (terms, constants) = (settings.pair_loop.layout.terms, settings.constants.clone());
                         // The cap is 2 (h / eta)^3.
-                        let pack = PackSettings {
-                            terms,
-                            constants,
-                            bodies,
-                            artificial_stress_factor: 0.0,
-                            kernel: Default::default(),
-                            eta: 0.01,
-                        };
+                        let pack = PackSettings { terms, constants, bodies, artificial_stress_factor: 0.0, eta: 0.01 };
                         settings.packer = Packer::new(&columns.registry, settings.core, pack);
                     }
                 });

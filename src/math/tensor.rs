@@ -28,19 +28,6 @@ pub struct Deviator {
 impl Sym {
     pub const ZERO: Self = Self { xx: 0.0, yy: 0.0, zz: 0.0, xy: 0.0, xz: 0.0, yz: 0.0 };
 
-    /// self + f o.
-    #[inline]
-    pub fn plus(&self, o: &Self, f: f64) -> Self {
-        Self {
-            xx: self.xx + f * o.xx,
-            yy: self.yy + f * o.yy,
-            zz: self.zz + f * o.zz,
-            xy: self.xy + f * o.xy,
-            xz: self.xz + f * o.xz,
-            yz: self.yz + f * o.yz,
-        }
-    }
-
     /// Symmetric part of a matrix.
     #[inline]
     pub fn symmetric_part(l: &Mat3) -> Self {

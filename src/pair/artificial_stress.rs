@@ -1,8 +1,8 @@
 //! Artificial stress against the tensile instability (Gray, Monaghan & Swift 2001, CMAME 190, 6641, eqs 29-32): on each
 //! principal axis in tension, R = -epsilon sigma; between two particles it acts with f^4, f = W(r) / W(spacing).
 //!
-//! Its force is not central. Where forces are to exert no torque, R counts beside the stress, times the [`share`] that f^4 leaves of a second moment
-//! of even matter; what is left is the torque of neighbourhoods whose nearest members lie otherwise than the rest.
+//! Its force is not central. Where forces are to exert no torque, only the part along the line between both counts: a [`tension`] of the pair,
+//! as large along the principal axes, that turns nothing.
 
 use super::Pair;
 use super::stress::PairStress;
@@ -43,25 +43,6 @@ pub fn reference(kernel: Kernel, h: f64) -> f64 {
     }
 }
 
-/// sum f^4 x . grad W / sum x . grad W over a cubic lattice, `h` in spacings.
-pub fn share(kernel: Kernel, h: f64, dimension: usize) -> f64 {
-    let value = |q: f64| match kernel {
-        Kernel::CubicSpline => CubicSpline::value(q),
-        Kernel::WendlandC2 => WendlandC2::value(q),
-    };
-    let reach = libm::ceil(crate::kernel::SUPPORT * h) as i32;
-    let (mut with, mut all) = (0.0, 0.0);
-    for k in 0..(2 * reach + 1).pow(dimension as u32) {
-        let at = |axis: u32| f64::from(k / (2 * reach + 1).pow(axis) % (2 * reach + 1) - reach);
-        let q = (0..dimension as u32).map(|axis| at(axis).powi(2)).sum::<f64>().sqrt() / h;
-        // The slope from two values: a thousandth is enough.
-        let fall = q * (value(q + 1e-4) - value((q - 1e-4).max(0.0)));
-        let f = value(q) * reference(kernel, h);
-        (with, all) = (with + f.powi(4) * fall, all + fall);
-    }
-    with / all
-}
-
 /// f^4 (R_i + R_j) added to the pair's stress; returns f^4 v_ij . (R_i + R_j) . x_ij, what it takes from the energy.
 ///
 /// # Safety
@@ -87,18 +68,25 @@ pub unsafe fn apply<L: Lanes, K: Shape, const D: usize>(
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Six nearest neighbours make most of it; less so where the kernel is wide.
-    #[test]
-    fn share_of_the_nearest() {
-        let narrow = share(Kernel::CubicSpline, 1.2, 3);
-        let wide = share(Kernel::CubicSpline, 1.8, 3);
-        println!("{narrow} {wide}");
-        assert!(0.1 < narrow && narrow < 1.0 && wide < narrow * 1.5, "{narrow} {wide}");
-        // Alone on a line through two neighbours f is 1.
-        assert!((share(Kernel::CubicSpline, 0.51, 2) - 1.0).abs() < 1e-6);
+/// f^4 x . (R_i + R_j) x / x^2, an opposite of a pressure; `r_inverse`: the inverse of the distance.
+///
+/// # Safety
+/// As for [`Lanes`].
+#[inline(always)]
+pub unsafe fn tension<L: Lanes, K: Shape, const D: usize>(
+    pair: &Pair<L, D>,
+    (r_inverse, reference): (L, L),
+    r: &PairStress<L, D>,
+) -> L {
+    unsafe {
+        let f = K::value_lanes(pair.r.mul(pair.h_inverse)).mul(reference);
+        let f2 = f.mul(f);
+        let mut along = [L::splat(0.0); D];
+        r.add_force(&pair.x, &mut along);
+        let mut both = pair.x[0].mul(along[0]);
+        for a in 1..D {
+            both = pair.x[a].fma(along[a], both);
+        }
+        f2.mul(f2).mul(both).mul(r_inverse.mul(r_inverse))
     }
 }

@@ -208,7 +208,7 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
 
         let zero = L::splat(0.0);
         let mut pair = Pair { x, v, r, h_inverse, v_dot_x, gradient: x, slope: zero };
-        let (r_inverse, pressure) = if let Viscosity::Off = F::TERMS.viscosity {
+        let (r_inverse, mut pressure) = if let Viscosity::Off = F::TERMS.viscosity {
             (L::splat(1.0).div(r), zero)
         } else {
             let own = F::TERMS.viscosity == Viscosity::OwnBeta;
@@ -237,7 +237,7 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
         let straining = if F::TERMS.contrast { contrast::straining(shares[0], &pair) } else { pair.gradient };
         let (force, rest) = sums.folded.split_at_mut(D);
         let force: &mut [L; D] = force.try_into().unwrap_unchecked();
-        let mut dissipation = pressure.mul(v_dot_x);
+        let mut taken = zero;
         let from = layout.stress();
         if F::TERMS.tensor {
             let (mut s_i, mut s_j) = (i.stress::<F>(from), j.stress::<F>(from));
@@ -248,9 +248,12 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
             if F::TERMS.artificial_stress {
                 let (from, words) = (layout.artificial(), layout.tensor_words());
                 let r_ij = PairStress::<L, D>::sum(&i.halves(from, words), &j.halves(from, words));
-                let (with, power) = artificial_stress::apply::<L, F::Kernel, D>(&pair, reference, &r_ij, stress);
-                stress = with;
-                dissipation = dissipation.sub(power);
+                if F::TERMS.no_torque {
+                    let at = (r_inverse, reference);
+                    pressure = pressure.sub(artificial_stress::tension::<L, F::Kernel, D>(&pair, at, &r_ij));
+                } else {
+                    (stress, taken) = artificial_stress::apply::<L, F::Kernel, D>(&pair, reference, &r_ij, stress);
+                }
             }
             stress.minus_pressure(pressure).add_force(&pair.gradient, force);
             if F::TERMS.no_torque {
@@ -276,7 +279,7 @@ unsafe fn interact<L: Lanes, F: Form, const D: usize>(i: &Side<L>, j: &Side<L>, 
         let rest = &mut rest[D * D..];
         let viscous = F::TERMS.viscosity != Viscosity::Off || F::TERMS.artificial_stress;
         if viscous {
-            rest[0] = dissipation.fma(pair.slope, rest[0]);
+            rest[0] = pressure.mul(v_dot_x).sub(taken).fma(pair.slope, rest[0]);
         }
         if F::TERMS.correction {
             let m = &mut rest[1..];

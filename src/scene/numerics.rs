@@ -226,7 +226,7 @@ impl RawNumerics {
             },
         };
         let corrected_gradient = *self.corrected_gradient.get_or_insert(solid);
-        // Beside artificial stress, which turns things by itself, it costs rubber its rebound.
+        // Beside artificial stress it costs rubber its rebound: thin walls in tension lose particles.
         let torque_free = solid && corrected_gradient && artificial_stress.is_none();
         let angular_momentum = *self.angular_momentum.get_or_insert(torque_free);
         if !corrected_gradient {

@@ -212,7 +212,6 @@ impl Plan {
                     .zip(&self.viscosity)
                     .map(|(body, pair)| traits(scene, body, *pair))
                     .collect(),
-                kernel: numerics.kernel,
                 artificial_stress_factor: numerics.artificial_stress.map_or(0.0, |a| a.factor),
                 eta: numerics.eta,
             },

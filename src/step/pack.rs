@@ -3,10 +3,9 @@
 
 use std::ops::Range;
 
-use crate::kernel::Kernel;
 use crate::material::{BodyConstants, Core, fracture, porosity};
 use crate::math::{Deviator, Sym, Vec3};
-use crate::pair::artificial_stress::{self, artificial_stress};
+use crate::pair::artificial_stress::artificial_stress;
 use crate::pair::record::{Viscosity, set_half};
 use crate::pair::{Layout, Terms, torque};
 use crate::particles::{Chunk, Column, ColumnInfo, Columns, Life, Registry};
@@ -25,9 +24,8 @@ pub struct Packer {
     pub moments: Option<Moments>,
     constants: Vec<BodyConstants>,
     bodies: Vec<BodyTraits>,
-    /// Strength epsilon of the artificial stress, and what counts of it in the torque of a neighbourhood.
+    /// Strength epsilon of the artificial stress.
     epsilon: f64,
-    artificial_share: f64,
     /// Spacing over smoothing length, to the power of the dimension, times two: V_max / h^d.
     most_volume: f64,
     /// Smoothing length over spacing.
@@ -114,7 +112,6 @@ pub struct PackSettings {
     pub constants: Vec<BodyConstants>,
     pub bodies: Vec<BodyTraits>,
     pub artificial_stress_factor: f64,
-    pub kernel: Kernel,
     /// Smoothing length over spacing.
     pub eta: f64,
 }
@@ -133,7 +130,6 @@ impl Packer {
             constants: settings.constants,
             bodies: settings.bodies,
             epsilon: settings.artificial_stress_factor,
-            artificial_share: artificial_stress::share(settings.kernel, settings.eta, dimension),
             most_volume: 2.0 / settings.eta.powi(dimension as i32),
             eta: settings.eta,
         }
@@ -224,14 +220,12 @@ impl Packer {
         }
         let stress = self.damaged_stress(columns, (i, body), pressure);
         write_tensor(layout.dimension, &stress, &mut record[layout.stress()..]);
-        let repulsion = layout.terms.artificial_stress.then(|| artificial_stress(&stress, self.epsilon));
         if let Some(moments) = &self.moments {
-            let tensile = repulsion.map_or(stress, |r| stress.plus(&r, self.artificial_share));
-            write_axial(layout, &tensile, &moments.expected(columns, i, dt), record);
+            write_axial(layout, &stress, &moments.expected(columns, i, dt), record);
         }
-        if let Some(r) = repulsion {
+        if layout.terms.artificial_stress {
             let mut words = [0.0; 6];
-            write_tensor(layout.dimension, &r, &mut words);
+            write_tensor(layout.dimension, &artificial_stress(&stress, self.epsilon), &mut words);
             (0..layout.tensor_words()).for_each(|k| set_half(record, layout.artificial() + k, words[k]));
         }
     }
