@@ -195,7 +195,7 @@ fn one_particle_does_not_stop_the_run() {
             hand.set("density", one, density);
             hand.evaluate();
             let expected = courant(&hand);
-            // Pairs see speeds of sound and h in single precision.
+            // Pairs see speeds of sound and h to 5e-7.
             assert!((hand.dt / expected - 1.0).abs() < 1e-6, "{} {expected}", hand.dt);
             let (mut least, mut strain) = (f64::INFINITY, 0.0f64);
             while hand.time < 100.0 * calm {

@@ -83,7 +83,7 @@ fn a_rubble_pile_keeps_still() {
     });
 }
 
-/// A loose ball under any stress: no torque is left of all forces, to the rounding of single precision in which the antisymmetric stress
+/// A loose ball under any stress: no torque is left of all forces, to the rounding (5e-7) with which the antisymmetric stress
 /// stands, where the neighbourhoods of the last evaluation are
 /// those of this one. Without the antisymmetric stress a thousandth
 /// of all single torques is left, as much as random stresses leave that nothing correlates.

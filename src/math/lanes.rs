@@ -92,7 +92,7 @@ pub unsafe trait Lanes: Copy {
     unsafe fn read(at: *const f64) -> Self;
     /// Numbers 0..4 behind `base + offsets[lane]`, one vector per number.
     unsafe fn read_quad(base: *const f64, offsets: &[usize; LANES]) -> [Self; 4];
-    /// The numbers in single precision that stand in the lower or in the upper half of each lane.
+    /// The numbers of which the first 32 bits stand in the lower or in the upper half of each lane.
     unsafe fn half(self, upper: bool) -> Self;
     /// ((0+1)+(2+3)) + ((4+5)+(6+7)) of each of eight vectors.
     unsafe fn fold(v: [Self; 8]) -> [f64; 8];
@@ -110,6 +110,9 @@ pub unsafe trait Lanes: Copy {
         }
     }
 }
+
+/// Bits of the upper half of a lane.
+const UPPER: u64 = !0 << 32;
 
 /// Plain arrays.
 #[derive(Clone, Copy)]
@@ -201,8 +204,10 @@ unsafe impl Lanes for Portable {
     }
     #[inline(always)]
     unsafe fn half(self, upper: bool) -> Self {
-        let shift = if upper { 32 } else { 0 };
-        each!(i => f64::from(f32::from_bits((self.0[i].to_bits() >> shift) as u32)))
+        each!(i => {
+            let word = self.0[i].to_bits();
+            f64::from_bits(if upper { word & UPPER } else { word << 32 })
+        })
     }
     #[inline(always)]
     unsafe fn fold(v: [Self; 8]) -> [f64; 8] {
@@ -279,20 +284,6 @@ unsafe fn add_neighbours(a: Avx512, b: Avx512) -> __m512d {
 #[inline(always)]
 unsafe fn add_blocks(a: __m512d, b: __m512d) -> __m512d {
     unsafe { _mm512_add_pd(_mm512_shuffle_f64x2::<0x88>(a, b), _mm512_shuffle_f64x2::<0xdd>(a, b)) }
-}
-
-/// The single-precision numbers in the lower or upper half of four lanes.
-///
-/// # Safety
-/// Needs AVX2.
-#[inline(always)]
-unsafe fn half_of_four(x: __m256d, upper: bool) -> __m256d {
-    unsafe {
-        let x = _mm256_castpd_ps(x);
-        let pairs = if upper { _mm256_shuffle_ps::<0xdd>(x, x) } else { _mm256_shuffle_ps::<0x88>(x, x) };
-        let four = _mm256_permute4x64_pd::<0x08>(_mm256_castps_pd(pairs));
-        _mm256_cvtps_pd(_mm_castpd_ps(_mm256_castpd256_pd128(four)))
-    }
 }
 
 /// Two halves of four lanes, AVX2 with FMA.
@@ -380,7 +371,17 @@ unsafe impl Lanes for Avx2 {
     }
     #[inline(always)]
     unsafe fn half(self, upper: bool) -> Self {
-        unsafe { Avx2(half_of_four(self.0, upper), half_of_four(self.1, upper)) }
+        unsafe {
+            let half = |x: __m256d| {
+                let word = _mm256_castpd_si256(x);
+                _mm256_castsi256_pd(if upper {
+                    _mm256_and_si256(word, _mm256_set1_epi64x(UPPER as i64))
+                } else {
+                    _mm256_slli_epi64::<32>(word)
+                })
+            };
+            Avx2(half(self.0), half(self.1))
+        }
     }
     #[inline(always)]
     unsafe fn fold(v: [Self; 8]) -> [f64; 8] {
@@ -494,9 +495,12 @@ unsafe impl Lanes for Avx512 {
     #[inline(always)]
     unsafe fn half(self, upper: bool) -> Self {
         unsafe {
-            let words = _mm512_castpd_si512(self.0);
-            let words = if upper { _mm512_srli_epi64::<32>(words) } else { words };
-            Avx512(_mm512_cvtps_pd(_mm256_castsi256_ps(_mm512_cvtepi64_epi32(words))))
+            let word = _mm512_castpd_si512(self.0);
+            Avx512(_mm512_castsi512_pd(if upper {
+                _mm512_and_si512(word, _mm512_set1_epi64(UPPER as i64))
+            } else {
+                _mm512_slli_epi64::<32>(word)
+            }))
         }
     }
     #[inline(always)]

@@ -121,15 +121,15 @@ impl Layout {
     }
 }
 
-/// A number that stands in single precision, two to a word. These enter both sides of a pair alike, so that sums are conserved as exactly as
-/// with all their digits, and a solid's record takes two lines.
+/// A number of which only the first 32 bits stand in a record, to 5e-7. These enter both sides of a pair alike, so that sums are conserved as
+/// exactly as with all bits, and a solid's record takes two lines.
 pub fn half(record: &[f64], k: usize) -> f64 {
-    f64::from(bytemuck::cast_slice::<f64, f32>(record)[k])
+    f64::from_bits(u64::from(bytemuck::cast_slice::<f64, u32>(record)[k]) << 32)
 }
 
 /// Rounds `x` into its place, see [`half`].
 pub fn set_half(record: &mut [f64], k: usize, x: f64) {
-    bytemuck::cast_slice_mut::<f64, f32>(record)[k] = x as f32;
+    bytemuck::cast_slice_mut::<f64, u32>(record)[k] = ((x.to_bits() + (1 << 31)) >> 32) as u32;
 }
 
 #[cfg(test)]
