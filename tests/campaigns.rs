@@ -6,36 +6,7 @@ use std::path::Path;
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{Launch, PROGRAM, assert_known_files};
-
-const SCENE: &str = r#"
-[[body]]
-name = "target"
-shape = { sphere = { radius = "10 km" } }
-material = "rock"
-damage = 1
-particles = 200
-
-[[body]]
-name = "projectile"
-shape = { sphere = { radius = "1 km" } }
-material = "rock"
-particles = 20
-
-[impact]
-speed = "5 km/s"
-
-[material.rock]
-base = "basalt"
-
-[run]
-until = "settled"
-
-[threshold]
-vary = "projectile.radius"
-tolerance = 0.5
-repeats = 0
-"#;
+use crate::common::{Launch, PROGRAM, SMALL_SEARCH, assert_known_files};
 
 const CAMPAIGN: &str = r#"
 title = "A small campaign"
@@ -54,7 +25,7 @@ target.radius = ["10 km"]
 
 fn folder(campaign: &str) -> TempDir {
     let dir = tempfile::tempdir().expect("a temporary directory");
-    fs::write(dir.path().join("target.toml"), SCENE).expect("a scene");
+    fs::write(dir.path().join("target.toml"), SMALL_SEARCH).expect("a scene");
     fs::write(dir.path().join("campaign.toml"), campaign).expect("a campaign");
     dir
 }

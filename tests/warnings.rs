@@ -8,7 +8,7 @@ use serde_json::Value;
 use sph_mpi::math::Vec3;
 use tempfile::TempDir;
 
-use crate::common::{ByHand, IMPACT, Launch, PROGRAM, ranks, summary};
+use crate::common::{ByHand, IMPACT, Launch, PROGRAM, SMALL_SEARCH, ranks, summary};
 
 /// A moonlet is hit beside its larger primary.
 const THREE: &str = r#"
@@ -158,40 +158,11 @@ fn vapour_is_no_intact_fragment() {
     }
 }
 
-const SEARCH: &str = r#"
-[[body]]
-name = "target"
-shape = { sphere = { radius = "10 km" } }
-material = "rock"
-damage = 1
-particles = 200
-
-[[body]]
-name = "projectile"
-shape = { sphere = { radius = "1 km" } }
-material = "rock"
-particles = 20
-
-[impact]
-speed = "5 km/s"
-
-[material.rock]
-base = "basalt"
-
-[run]
-until = "settled"
-
-[threshold]
-vary = "projectile.radius"
-tolerance = 0.5
-repeats = 0
-"#;
-
 /// An impact of a search that warns of its energy widens the uncertainty, by the drift over the kinetic energy that is left.
 #[test]
 fn a_search_counts_the_drift_of_its_impacts() {
     let dir = folder();
-    run(&dir, SEARCH, &[]);
+    run(&dir, SMALL_SEARCH, &[]);
     // The same search, had its impacts drifted by nothing, and by a tenth of the energy that is left.
     let [good, drifting] = [0.0, 0.1].map(|drift: f64| {
         let path = dir.path().join("run/impacts.json");
@@ -203,7 +174,7 @@ fn a_search_counts_the_drift_of_its_impacts() {
         }
         fs::write(&path, impacts.to_string()).expect("impacts");
         fs::remove_file(dir.path().join("run/summary.json")).expect("it is made anew");
-        run(&dir, SEARCH, &["--resume"])
+        run(&dir, SMALL_SEARCH, &["--resume"])
     });
     let threshold = |run: &(Value, String), name: &str| run.0["threshold"][name].as_f64().expect("a number");
     let part = |run: &(Value, String)| run.0["threshold"]["uncertainty_parts"]["drift"].as_f64().expect("a part");

@@ -24,7 +24,7 @@ commit before them."""
 CURES = {
     "fast_into_soft": "steps know what closes (`src/domain/closing.rs`)",
     "gas_clouds_meet": "the same",
-    "spacecraft_on_moonlet": "the wider kernel is that of the pair (`src/pair/mod.rs`)",
+    "spacecraft_on_moonlet": "of a pair's kernels the narrower counts as two thirds of the wider at least (`src/pair/rows.rs`)",
     "unequal_particles": "the same",
     "slow_balls": "forces without torque are the default of solids (`src/pair/torque.rs`)",
     "iron_into_ice": "both, and a density contrast by default (`src/pair/contrast.rs`)",

@@ -4,6 +4,7 @@
 use std::ops::Range;
 
 use crate::material::{BodyConstants, Core, fracture, porosity};
+use crate::math::lanes::LANES;
 use crate::math::{Deviator, Sym, Vec3};
 use crate::pair::artificial_stress::artificial_stress;
 use crate::pair::record::{Viscosity, set_half};
@@ -79,16 +80,6 @@ impl Moments {
     fn expected(&self, columns: &Columns, i: usize, dt: f64) -> Sym {
         let [on, off] = [0, 1].map(|part| columns.get(self.value[part], i) + columns.get(self.rate[part], i) * dt);
         Sym { xx: on.x, yy: on.y, zz: on.z, xy: off.x, xz: off.y, yz: off.z }
-    }
-}
-
-/// Writes w of a particle with this stress and M.
-fn write_axial(layout: &Layout, stress: &Sym, m: &Sym, record: &mut [f64]) {
-    if layout.dimension == 2 {
-        set_half(record, layout.axial(), torque::axial::<2>(stress, m).z);
-    } else {
-        let w = torque::axial::<3>(stress, m);
-        (0..3).for_each(|k| set_half(record, layout.axial() + k, w[k]));
     }
 }
 
@@ -182,14 +173,32 @@ impl Packer {
     /// `records` must have room for every slot, and no one else may write to the slots of `range` meanwhile.
     pub unsafe fn pack(&self, columns: &Columns, (range, dt): (Range<usize>, f64), slots: &[u32], records: *mut f64) {
         let stride = self.layout.stride();
-        for i in range {
-            // SAFETY: the slot's record lies within `records` and belongs to this particle alone.
-            let record = unsafe { std::slice::from_raw_parts_mut(records.add(slots[i] as usize * stride), stride) };
-            self.pack_one(columns, (i, dt), record);
+        // SAFETY: the slot's record lies within `records` and belongs to this particle alone, and no other slice of it lives.
+        let record =
+            |i: usize| unsafe { std::slice::from_raw_parts_mut(records.add(slots[i] as usize * stride), stride) };
+        for start in range.clone().step_by(LANES) {
+            let eight = start..range.end.min(start + LANES);
+            let (mut stresses, mut moments) = ([[0.0; LANES]; 6], [[0.0; LANES]; 6]);
+            for (k, i) in eight.clone().enumerate() {
+                let stress = self.pack_one(columns, i, record(i));
+                if let Some(known) = &self.moments {
+                    spread(&stress, k, &mut stresses);
+                    spread(&known.expected(columns, i, dt), k, &mut moments);
+                }
+            }
+            if self.moments.is_some() {
+                let plane = self.layout.dimension == 2;
+                let axials = if plane { torque::axials::<2> } else { torque::axials::<3> };
+                for (w, i) in axials(&stresses, &moments).iter().zip(eight) {
+                    let (to, first) = (self.layout.axial(), if plane { 2 } else { 0 });
+                    (first..3).for_each(|k| set_half(record(i), to + k - first, w[k]));
+                }
+            }
         }
     }
 
-    fn pack_one(&self, columns: &Columns, (i, dt): (usize, f64), record: &mut [f64]) {
+    /// Writes all but w, and returns the stress that neighbours see, Pa.
+    fn pack_one(&self, columns: &Columns, i: usize, record: &mut [f64]) -> Sym {
         let layout = &self.layout;
         let body = columns.get(self.core.id, i).body();
         let constants = &self.constants[body];
@@ -216,24 +225,28 @@ impl Packer {
         let pressure = columns.get(self.core.pressure, i);
         if !layout.terms.tensor {
             record[layout.stress()] = -fracture::damaged_pressure(pressure, self.damage(columns, i, body));
-            return;
+            return Sym::ZERO;
         }
         let stress = self.damaged_stress(columns, (i, body), pressure);
         write_tensor(layout.dimension, &stress, &mut record[layout.stress()..]);
-        if let Some(moments) = &self.moments {
-            write_axial(layout, &stress, &moments.expected(columns, i, dt), record);
-        }
         if layout.terms.artificial_stress {
             let mut words = [0.0; 6];
             write_tensor(layout.dimension, &artificial_stress(&stress, self.epsilon), &mut words);
             (0..layout.tensor_words()).for_each(|k| set_half(record, layout.artificial() + k, words[k]));
         }
+        stress
     }
 
     /// The stress that neighbours see: deviator and tension weakened by damage, never written back.
     fn damaged_stress(&self, columns: &Columns, (i, body): (usize, usize), pressure: f64) -> Sym {
         let s = self.deviatoric_stress.map_or(Deviator::default(), |column| columns.get(column, i));
         fracture::damaged_stress(&s, pressure, self.damage(columns, i, body), self.bodies[body].friction)
+    }
+}
+
+fn spread(t: &Sym, k: usize, to: &mut torque::Syms) {
+    for (to, x) in to.iter_mut().zip([t.xx, t.yy, t.zz, t.xy, t.xz, t.yz]) {
+        to[k] = x;
     }
 }
 

@@ -343,6 +343,36 @@ until = "2 s"
 picture = false
 "#;
 
+/// A search of Q*_D for small balls without strength: seconds in all.
+pub const SMALL_SEARCH: &str = r#"
+[[body]]
+name = "target"
+shape = { sphere = { radius = "10 km" } }
+material = "rock"
+damage = 1
+particles = 200
+
+[[body]]
+name = "projectile"
+shape = { sphere = { radius = "1 km" } }
+material = "rock"
+particles = 20
+
+[impact]
+speed = "5 km/s"
+
+[material.rock]
+base = "basalt"
+
+[run]
+until = "settled"
+
+[threshold]
+vary = "projectile.radius"
+tolerance = 0.5
+repeats = 0
+"#;
+
 /// Two balls of thin gas that fly into each other after a while. Its first steps are long, as nothing has happened yet.
 pub const GAS_BALLS: &str = r#"
 title = "Gas at rest, then struck"
