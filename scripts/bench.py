@@ -51,7 +51,7 @@ def effects(directory):
     pairs = next(name for name in base["phases"] if name.startswith("pairs"))
     added = ("artificial_stress", "friction", "porosity", "elastic_pores", "smoothing_length", "gravity", "gravity_every_step")
     lines = ["| effect | pair phase with it / without | whole step with it / without | interactions per update with it / without |", "|---|---:|---:|---:|"]
-    for name in ("viscosity", "corrected_gradient", "record", "fracture", "strength", *added):
+    for name in ("viscosity", "corrected_gradient", "angular_momentum", "record", "fracture", "strength", *added):
         other, reference = runs[name], runs["fracture"] if name == "strength" else base
         ratios = [step_seconds(other, part) / step_seconds(reference, part) for part in ((pairs,), None)]
         # An effect that changes the flow changes the number of neighbours, too.
@@ -111,7 +111,7 @@ def main(directory, options):
     phases = [f"{name} {100 * share:.1f}" for name, share in run["phases"].items() if share >= 0.0005]
     print(f"\nPhases in per cent: {', '.join(phases)}.\n\n## What each effect costs\n")
     print(effects(directory))
-    print("\nThe impact has viscosity, corrected gradient, records, fracture and strength; the last rows, from artificial stress on, add what it does not have.\n")
+    print("\nThe impact has viscosity, corrected gradient and forces without torque (which go with it), records, fracture and strength; the last rows, from artificial stress on, add what it does not have.\n")
     print("Pores change the flow, not only what a particle costs: the goal is 1.3 on the whole step.")
     print("\n## Pair loops beside the ceiling\n")
     print(ceiling_text.strip())
