@@ -207,6 +207,40 @@ fn slow_balls_keep_their_angular_momentum() {
     });
 }
 
+/// Cold gas flies against a ball of iron without strength, eight thousand times as dense: pairs of so different densities are told apart by
+/// default, and the corrected gradient comes with it. With the same shares for both, energy changes by half of what there is and more.
+#[test]
+fn thin_gas_flies_against_iron() {
+    const WIND: &str = r#"
+[[body]]
+name = "gas"
+shape = { box = { size = [2, 1, 1] } }
+material = "ideal_gas"
+spacing = 0.2
+density = 1
+internal_energy = 1e-3
+velocity = [12000, 0, 0]
+[[body]]
+name = "ball"
+shape = { sphere = { radius = 0.4 } }
+material = "iron"
+spacing = 0.15
+position = [3, 0, 0]
+[run]
+until = 1
+"#;
+    ranks(1, "hard_contacts::thin_gas_flies_against_iron", |comm| {
+        let drift = |changes: &[&str]| {
+            let mut hand = ByHand::<3>::with(WIND, changes, comm, |_, _, _| {});
+            let (energy, _, _) = drifts(&mut hand, 5e-4);
+            println!("{changes:?}: E {energy:.1e}, {} steps", hand.steps());
+            energy
+        };
+        let (told, alike) = (drift(&[]), drift(&["numerics.density_contrast=false"]));
+        assert!(told < 1e-3 && alike > 0.1, "{told} {alike}");
+    });
+}
+
 /// A particle that flies alone lets go of its pressure, of either sign, and keeps its energy. Before, both stayed for good.
 #[test]
 fn what_flies_alone_lets_go() {

@@ -195,7 +195,7 @@ fn validate(document: &Document, raw: &mut RawScene) -> Result<Scene> {
     let gravity = gravity.transpose()?.unwrap_or_default();
     let (mut bodies, parts) =
         bodies(document, raw, (&materials, &material_names), &periods, impact.as_ref(), numerics.eta)?;
-    numerics.density_contrast = raw.numerics.contrast(solid, bodies.iter().map(|body| body.density));
+    raw.numerics.contrast(&mut numerics, solid, bodies.iter().map(|body| body.density));
     check_starts(document, &bodies, (&materials, &gravity, &periods))?;
     check_overlaps(document, &bodies)?;
     boundaries::check_periods(document, &periods, &bodies, largest_reach(&bodies, &numerics))?;

@@ -50,6 +50,8 @@ const ETA: [f64; 2] = [0.8, 3.0];
 
 /// Bodies whose densities differ by more than this factor are told apart in their pairs, see `pair::contrast`.
 const ALIKE: f64 = 2.0;
+/// The same where nothing has strength: below it both keep energy, beyond it liquids in thin gas gain and lose as much as there is.
+const APART: f64 = 100.0;
 
 /// Volume of the ball (or area of the disc) of radius 1.
 fn unit_ball(dimension: usize) -> f64 {
@@ -225,7 +227,7 @@ impl RawNumerics {
                 largest: within("smoothing_length.largest", largest, 1.0, 100.0)?,
             },
         };
-        let corrected_gradient = *self.corrected_gradient.get_or_insert(solid);
+        let corrected_gradient = self.corrected_gradient.unwrap_or(solid);
         // Beside artificial stress it costs rubber its rebound: thin walls in tension lose particles.
         let torque_free = solid && corrected_gradient && artificial_stress.is_none();
         let angular_momentum = *self.angular_momentum.get_or_insert(torque_free);
@@ -254,13 +256,20 @@ impl RawNumerics {
         })
     }
 
-    /// Whether pairs of very different density get a term of their own: as asked for, or where a `solid` scene has bodies of such
-    /// densities, kg/m^3.
-    pub(super) fn contrast(&mut self, solid: bool, densities: impl Iterator<Item = f64> + Clone) -> bool {
+    /// Whether pairs of very different density get a term of their own: as asked for, or where bodies have such densities, kg/m^3. In a scene that
+    /// is not `solid` it brings the corrected gradient with it.
+    pub(super) fn contrast(
+        &mut self,
+        numerics: &mut Numerics,
+        solid: bool,
+        densities: impl Iterator<Item = f64> + Clone,
+    ) {
         let [least, most] = [f64::INFINITY, 0.0];
-        let least = densities.clone().fold(least, f64::min);
-        let differ = densities.fold(most, f64::max) > ALIKE * least;
-        *self.density_contrast.get_or_insert(solid && self.corrected_gradient == Some(true) && differ)
+        let ratio = densities.clone().fold(most, f64::max) / densities.fold(least, f64::min);
+        let differ = ratio > if solid { ALIKE } else { APART };
+        let wanted = differ && self.density_contrast != Some(false);
+        numerics.corrected_gradient = *self.corrected_gradient.get_or_insert(solid || wanted);
+        numerics.density_contrast = *self.density_contrast.get_or_insert(wanted && numerics.corrected_gradient);
     }
 
     /// h over (m / rho)^(1/d), as given or by the number of neighbours.
@@ -330,6 +339,10 @@ mod tests {
         let (strong, light) = ("material.basalt.strength=true", "other.density=1300");
         assert_eq!(choices(&[]), [false; 3]);
         assert_eq!(choices(&[light]), [false; 3]);
+        let thin = "other.density=20";
+        assert_eq!(choices(&[thin]), [true, false, true]);
+        assert_eq!(choices(&[thin, "numerics.density_contrast=false"]), [false; 3]);
+        assert_eq!(choices(&[thin, "numerics.corrected_gradient=false"]), [false; 3]);
         assert_eq!(choices(&[strong]), [true, true, false]);
         assert_eq!(choices(&[strong, light]), [true; 3]);
         assert_eq!(choices(&[strong, "other.density=1400"]), [true, true, false]);
