@@ -338,7 +338,7 @@ NOTES = """- **Sums over the lattice.** The momentum sum is not normalised (this
   a few smoothing lengths wide, so that its share falls with the spacing; its height does not.
 - **Free surfaces** make bodies soft over about a spacing: frequencies are too low, with order one.
 - **Spins.** A spinning body is in tension, and forces along a stress turn it: by 1e-4 of its angular momentum in a turn, and by a per cent
-  where a disc of fine spacing clumps without artificial stress. Forces without torque (`angular_momentum`) keep it to 1e-9, clumps or not.
+  where a disc of fine spacing clumps without artificial stress. Forces without torque (`angular_momentum`) keep it to 1e-8, and to 1e-7 where it clumps.
   Without viscosity modes of the free surface grow within some turns. Little viscosity (alpha = 0.1) stops these, and takes nothing from
   a rigid rotation.
 """
