@@ -49,14 +49,16 @@ static COUNTING: Counting = Counting;
 fn allocations_of_steps(comm: &Comm) -> Vec<(u64, u64)> {
     workers::start_threads(1).expect("one thread");
     let scene = Scene::parse("impact.toml", IMPACT, &[]).expect("a scene");
-    let plan = setup::plan(&scene, setup::count_particles(&scene, comm).expect("particles"));
+    let counts = setup::count_particles(&scene, comm).expect("particles");
+    let plan = setup::plan(&scene, counts).expect("a plan");
     let (columns, settings) = plan.populate(&scene, comm).expect("a scene without modes");
     let mut stepper = Stepper::<3>::new(comm, columns, settings);
-    let mut dt = stepper.start().expect("a first evaluation").dt;
+    stepper.start().expect("a first evaluation");
+    let mut dt = stepper.state.next;
     let mut found = Vec::new();
     for step in 0..100 {
         let (builds, before) = (stepper.counters.list_builds, ALLOCATIONS.get());
-        dt = stepper.step(dt, 0).expect("a step").dt;
+        dt = stepper.step(dt, stepper.state.time + dt, 0).expect("a step").dt;
         let allocated = ALLOCATIONS.get() - before;
         if stepper.counters.list_builds == builds {
             found.push((step, allocated));

@@ -59,7 +59,7 @@ fn every_test_file_is_run() {
     }
 }
 
-fn rust_files(dir: &Path, found: &mut Vec<PathBuf>) {
+pub fn rust_files(dir: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(dir).expect("a readable folder").flatten() {
         let path = entry.path();
         if path.is_dir() {
@@ -194,7 +194,7 @@ fn first_names(path: &str) -> Vec<String> {
 }
 
 /// The source with comments, strings and characters blanked, lines kept.
-fn code_of(text: &str) -> String {
+pub fn code_of(text: &str) -> String {
     let mut code = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(first) = rest.chars().next() {

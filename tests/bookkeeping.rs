@@ -127,7 +127,7 @@ fn pairs_times_and_rows_of_a_run() {
     let dir = tempfile::tempdir().expect("a temporary directory");
     let counted = on_rank(|comm| {
         let hand = ByHand::<3>::new(BALL, comm, |_| {});
-        let h = hand.stepper.settings.constants[0].smoothing_length;
+        let h = hand.stepper.settings.view.constants[0].smoothing_length;
         let near =
             |i: usize| hand.particles().filter(|&j| (hand.position(i) - hand.position(j)).norm() < 2.0 * h).count() - 1;
         let pairs = hand.particles().map(near).sum::<usize>() as f64;

@@ -454,7 +454,7 @@ fn impossible_boundaries_are_refused() {
 fn held(text: &str) -> (BTreeSet<String>, usize) {
     let scene = parse(text, &[]).expect("a scene");
     let constants = scene.bodies.iter().map(|body| body.constants(100, scene.numerics.eta)).collect();
-    let plan = sph_mpi::simulation::setup::plan(&scene, constants);
+    let plan = sph_mpi::simulation::setup::plan(&scene, constants).expect("a plan");
     let names = plan.registry.entries.iter().map(|entry| entry.name.clone()).collect();
     (names, Layout { dimension: 2, terms: plan.terms }.words())
 }

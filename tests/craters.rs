@@ -54,11 +54,12 @@ fn parse(text: &str, change: &[&str]) -> sph_mpi::error::Result<Scene> {
 /// The layer of every particle of a scene by its place at the start.
 fn layers(text: &str, change: &[&str], comm: &Comm) -> Vec<(Vec3, usize)> {
     let scene = parse(text, change).expect("a scene");
-    let plan = setup::plan(&scene, setup::count_particles(&scene, comm).expect("particles"));
+    let counts = setup::count_particles(&scene, comm).expect("particles");
+    let plan = setup::plan(&scene, counts).expect("a plan");
     let (columns, settings) = plan.populate(&scene, comm).expect("particles");
     let layer = columns.registry.find::<f64>("layer").expect("a layer");
-    let target = (0..columns.len()).filter(|&i| columns.get(settings.core.id, i).body() == 0);
-    target.map(|i| (columns.get(settings.core.position, i), columns.get(layer, i) as usize)).collect()
+    let target = (0..columns.len()).filter(|&i| columns.get(settings.view.core.id, i).body() == 0);
+    target.map(|i| (columns.get(settings.view.core.position, i), columns.get(layer, i) as usize)).collect()
 }
 
 #[test]

@@ -9,13 +9,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use sph_mpi::exact::grady_kipp::GradyKipp;
+use sph_mpi::material::damage::{DAMAGE, damaged_stress};
+use sph_mpi::material::fracture::FractureTable;
 use sph_mpi::material::fracture::flaws::Flaws;
-use sph_mpi::material::fracture::{DAMAGE, FractureTable, damaged_stress};
 use sph_mpi::material::strength::DEVIATORIC_STRESS;
 use sph_mpi::material::{BodyConstants, Core, Local, MaterialEffect, MaterialTable, Setup, effects};
 use sph_mpi::math::Deviator;
 use sph_mpi::particles::chunk::{CHUNK, Chunks};
-use sph_mpi::particles::{Column, Columns, ParticleId, Registry};
+use sph_mpi::particles::{Column, Columns, ParticleId, Rates, Registry};
 use sph_mpi::scene::Scene;
 
 use crate::common::{Launch, PROGRAM, summary};
@@ -145,6 +146,7 @@ fn strength_falls_with_volume_as_weibull_says() {
 struct Elements {
     columns: Columns,
     fracture: Box<dyn MaterialEffect>,
+    rates: Rates,
     constants: [BodyConstants; 1],
     core: Core,
     damage: Column<f64>,
@@ -195,14 +197,15 @@ impl Elements {
             smoothing_length: None,
         };
         let mut registry = Registry::new(3);
-        let (core, effects) = effects(&setup, &mut registry);
+        let (core, effects) = effects(&setup, &mut registry).expect("nothing is missing");
         let fracture = effects.into_iter().find(|effect| effect.name() == "fracture").expect("basalt breaks");
         let (damage, stress) = (registry.find(DAMAGE).unwrap(), registry.find(DEVIATORIC_STRESS).unwrap());
+        let rates = Rates::new(&registry);
         let mut columns = Columns::new(registry);
         columns.resize(count as usize);
         (0..count).for_each(|site| columns.set(core.id, site as usize, ParticleId::new(0, site)));
         let mut elements =
-            Self { columns, fracture, constants, core, damage, stress, youngs_modulus: youngs_modulus() };
+            Self { columns, fracture, rates, constants, core, damage, stress, youngs_modulus: youngs_modulus() };
         elements.each(0.0, |effect, local| effect.initialise(local));
         elements
     }
@@ -216,7 +219,8 @@ impl Elements {
             // SAFETY: one chunk lives at a time.
             let chunk = unsafe { chunks.chunk(range) };
             let (bodies, constants) = (&bodies[..], &self.constants[..]);
-            act(self.fracture.as_ref(), &Local { chunk: &chunk, bodies, constants, motion: &[], new_rates: &[], dt });
+            let rates = &self.rates;
+            act(self.fracture.as_ref(), &Local { chunk: &chunk, bodies, constants, motion: &[], rates, dt });
         }
     }
 
@@ -243,7 +247,7 @@ impl Elements {
         for k in 1.. {
             let strain = step * k as f64;
             self.stretch(strain);
-            self.each(step / rate, |effect, local| effect.update(local));
+            self.each(step / rate, |effect, local| effect.commit(local));
             let tension: Vec<f64> = (0..self.columns.len()).map(|i| self.tension(i)).collect();
             let (now, error) = mean(&tension);
             pulled.curve.push((strain, now));

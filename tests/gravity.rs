@@ -48,7 +48,7 @@ fn flies_along_a_parabola<const D: usize>(comm: &Comm) {
     // Long steps: nothing but the fall happens.
     for _ in 0..50 {
         let dt = ball.dt.min(0.01);
-        ball.dt = ball.stepper.step(dt, 0).expect("a step").dt;
+        ball.dt = ball.stepper.step(dt, ball.time + dt, 0).expect("a step").dt;
         ball.time += dt;
     }
     let t = ball.time;
@@ -437,7 +437,7 @@ fn gravity_holds_its_columns_and_sends_no_more() {
         let changes: Vec<String> = changes.iter().map(|change| change.to_string()).collect();
         let scene = Scene::parse("scene.toml", DUST, &changes).expect("a scene");
         let constants = scene.bodies.iter().map(|body| body.constants(3000, scene.numerics.eta)).collect();
-        let plan = sph_mpi::simulation::setup::plan(&scene, constants);
+        let plan = sph_mpi::simulation::setup::plan(&scene, constants).expect("a plan");
         let names: Vec<String> = plan.registry.entries.iter().map(|entry| entry.name.clone()).collect();
         (names, plan.terms)
     };

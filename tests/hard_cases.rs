@@ -168,7 +168,7 @@ struct Rings {
 fn collide(artificial_stress: &str, time: f64, comm: &sph_mpi::domain::comm::Comm) -> Rings {
     let text = RINGS.replace("ON", artificial_stress) + RUBBER;
     let mut hand = ByHand::<2>::with(&text, &[], comm, |columns, settings, scene| {
-        let x = |i: u32| columns.get(settings.core.position, i as usize);
+        let x = |i: u32| columns.get(settings.view.core.position, i as usize);
         let outside = |i: &u32| scene.bodies.iter().all(|body| (x(*i) - Vec3::from(body.centre)).norm() > 3.0);
         let kept: Vec<u32> = (0..columns.len() as u32).filter(outside).collect();
         columns.reorder(&kept, &mut Vec::new());

@@ -63,7 +63,7 @@ fn fast_into_soft_on_any_ranks() {
     same_on_any_ranks("hard_contacts::fast_into_soft_on_any_ranks", |comm| {
         let mut hand = ByHand::<3>::new(&soft(50.0), comm, |_| {});
         hand.run(0.02, |_| {});
-        let hash = state_hash::state_hash(&hand.stepper.columns, hand.stepper.settings.core.id, comm);
+        let hash = state_hash::state_hash(&hand.stepper.columns, hand.stepper.settings.view.core.id, b"", comm);
         format!("{} steps, next {:e}, {hash:?}", hand.steps(), hand.dt)
     });
 }

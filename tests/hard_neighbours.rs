@@ -7,7 +7,7 @@ use sph_mpi::material::eos::EosTable;
 use sph_mpi::math::Vec3;
 use sph_mpi::random::uniform;
 use sph_mpi::scene::Scene;
-use sph_mpi::step::pack::{BodyTraits, PackSettings, Packer};
+use sph_mpi::step::pack::Packer;
 
 use crate::common::{ByHand, ranks};
 
@@ -217,7 +217,7 @@ fn one_particle_does_not_stop_the_run() {
 
 /// Smallest C h / (c + 0.6 (alpha c + beta |mu|)) of all particles, pair by pair.
 fn courant(hand: &ByHand<3>) -> f64 {
-    let h = |i: usize| hand.stepper.settings.constants[hand.body(i)].smoothing_length;
+    let h = |i: usize| hand.stepper.settings.view.constants[hand.body(i)].smoothing_length;
     let approach = |i: usize, j: usize| {
         let (x, v) = (hand.position(i) - hand.position(j), hand.velocity(i) - hand.velocity(j));
         let mean = 2.0 / (1.0 / h(i) + 1.0 / h(j));
@@ -294,13 +294,9 @@ fn rock_beside_spray() {
                 let text = SPRAY.replace("SMOOTHING", smoothing);
                 let mut hand = ByHand::<3>::with(&text, &[], comm, |columns, settings, _| {
                     if !capped {
-                        let traits =
-                            |body| BodyTraits { viscosity: settings.packer.viscosity(body), ..Default::default() };
-                        let bodies = (0..2).map(traits).collect();
-                        let (terms, constants) = (settings.pair_loop.layout.terms, settings.constants.clone());
                         // The cap is 2 (h / eta)^3.
-                        let pack = PackSettings { terms, constants, bodies, artificial_stress_factor: 0.0, eta: 0.01 };
-                        settings.packer = Packer::new(&columns.registry, settings.core, pack);
+                        let (layout, eta) = (settings.pair_loop.layout(), 0.01);
+                        settings.packer = Packer::new(&columns.registry, &settings.view, layout, 0.0, eta);
                     }
                 });
                 let law = hand.scene.materials[0].eos.law();
@@ -403,7 +399,7 @@ fn no_list_lacks_a_pair() {
                     for i in 0..columns.len() {
                         let draw = |k| uniform(5, i as u64, k) - 0.5;
                         let velocity = Vec3::new(draw(0), draw(1), draw(2)) * 4e3;
-                        columns.set(settings.core.velocity, i, velocity);
+                        columns.set(settings.view.core.velocity, i, velocity);
                     }
                 });
             let before = hand.stepper.counters.list_builds;
@@ -421,7 +417,7 @@ fn no_list_lacks_a_pair() {
 
 /// Directed pairs inside the larger support, by looking at all.
 fn pairs(hand: &ByHand<3>) -> u64 {
-    let h = |i: usize| hand.stepper.settings.constants[hand.body(i)].smoothing_length;
+    let h = |i: usize| hand.stepper.settings.view.constants[hand.body(i)].smoothing_length;
     let sites: Vec<(Vec3, f64)> = hand.particles().map(|i| (hand.position(i), h(i))).collect();
     let near = |i: usize| sites.iter().filter(|b| (b.0 - sites[i].0).norm() < 2.0 * b.1.max(sites[i].1)).count();
     (0..sites.len()).map(|i| near(i) as u64 - 1).sum()

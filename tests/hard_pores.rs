@@ -264,7 +264,7 @@ fn stress_turns_with_a_whole_body() {
         let dt = 2.0 * PI / spin / f64::from(steps);
         let mut eighth = Deviator::default();
         for step in 1..=steps {
-            hand.stepper.step(dt, 0).expect("a step");
+            hand.stepper.step(dt, hand.time, 0).expect("a step");
             lead(&mut hand, 2.0 * PI * f64::from(step) / f64::from(steps));
             if step == steps / 8 {
                 eighth = hand.get("deviatoric_stress", 0);

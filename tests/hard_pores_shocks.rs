@@ -220,7 +220,7 @@ fn sandwich(changes: &[&str], comm: &Comm) -> Sandwich {
     let sponge = Sponge::of(material(&hand, "sponge"), 5.0).expect("porous matter");
     let u = contact(&medium(material(&hand, "flyer")), &sponge, 1e3);
     let wave = sponge.piston(u).expect("a compaction wave").front;
-    let h = hand.stepper.settings.constants[0].smoothing_length;
+    let h = hand.stepper.settings.view.constants[0].smoothing_length;
     let mut deepest = f64::MIN;
     let mut reach = |hand: &mut ByHand<2>, time: f64| {
         hand.run(time, |hand| {

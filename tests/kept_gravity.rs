@@ -32,7 +32,7 @@ fn changes(text: &str, changes: &[&str], end: f64, comm: &Comm) -> [f64; 2] {
     let interval = hand.stepper.settings.gravity.and_then(|gravity| gravity.own).expect("own gravity").interval;
     hand.run(end, |hand| {
         // It is evaluated in the step whose end is nearest to when it is due.
-        let age = hand.stepper.counters.gravity.age.expect("an evaluation");
+        let age = hand.stepper.state.gravity.age.expect("an evaluation");
         assert!(age + 0.5 * (hand.time - before) < interval, "{age} s, {interval} s");
         before = hand.time;
         if hand.steps() % 7 == 0 {
@@ -49,7 +49,10 @@ fn changes(text: &str, changes: &[&str], end: f64, comm: &Comm) -> [f64; 2] {
     assert!((0.9..1.1).contains(&((evaluations - 6.0) / wanted)), "{evaluations} evaluations, {wanted} wanted");
     println!(
         "{changes:?}: {} steps, {} evaluations; angular momentum {:.1e}, energy {:.1e}",
-        counters.steps, counters.gravity_evaluations, worst[0], worst[1]
+        hand.steps(),
+        counters.gravity_evaluations,
+        worst[0],
+        worst[1]
     );
     worst
 }

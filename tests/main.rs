@@ -5,6 +5,7 @@ mod architecture;
 mod balance;
 mod bookkeeping;
 mod boundaries;
+mod circles;
 mod campaigns;
 mod common;
 mod compaction;

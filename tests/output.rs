@@ -167,13 +167,13 @@ fn a_checkpoint_of_two_ranks_is_read_by_any_number() {
     let name = "a_checkpoint_of_two_ranks_is_read_by_any_number";
     let inside = on_ranks(|comm, directory, stage| {
         let whole = scene(3, comm, None);
-        let hash = state_hash(&whole.columns, whole.core.id, comm);
+        let hash = state_hash(&whole.columns, whole.core.id, b"", comm);
         if stage == "write" {
             checkpoint::write(directory, &whole.columns, whole.core.id, &meta(), comm).unwrap();
             return;
         }
         let read = read_newest(directory, &whole.columns.registry, comm, "abc").unwrap().unwrap();
-        assert_eq!(state_hash(&read.columns, whole.core.id, comm), hash);
+        assert_eq!(state_hash(&read.columns, whole.core.id, b"", comm), hash);
         let share = 2 * SITES as usize;
         assert_eq!(read.columns.len(), share * (comm.rank() + 1) / comm.size() - share * comm.rank() / comm.size());
         assert_eq!(read.meta, meta());
@@ -196,7 +196,7 @@ fn a_damaged_checkpoint_gives_way_to_the_previous_one() {
     let name = "a_damaged_checkpoint_gives_way_to_the_previous_one";
     let inside = on_ranks(|comm, directory, stage| {
         let mut scene = scene(3, comm, None);
-        let first = state_hash(&scene.columns, scene.core.id, comm);
+        let first = state_hash(&scene.columns, scene.core.id, b"", comm);
         if stage == "write" {
             checkpoint::write(directory, &scene.columns, scene.core.id, &meta(), comm).unwrap();
             for i in 0..scene.columns.len() {
@@ -221,7 +221,7 @@ fn a_damaged_checkpoint_gives_way_to_the_previous_one() {
         }
         let read = read.unwrap().unwrap();
         assert!(read.path.ends_with("checkpoint_previous.h5"));
-        assert_eq!(state_hash(&read.columns, scene.core.id, comm), first);
+        assert_eq!(state_hash(&read.columns, scene.core.id, b"", comm), first);
         let refused = read.refused.unwrap().to_string();
         assert!(refused.contains("checkpoint.h5") && refused.contains(stage), "{refused}");
     });

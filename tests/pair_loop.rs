@@ -4,7 +4,7 @@
 use sph_mpi::kernel::{CubicSpline, Kernel, Shape, WendlandC2};
 use sph_mpi::math::lanes::Width;
 use sph_mpi::pair::artificial_stress;
-use sph_mpi::pair::record::{Viscosity, half, set_half};
+use sph_mpi::pair::record::{PressureGradient, StressTerm, TensorGradient, ViscousTerm, half, set_half};
 use sph_mpi::pair::rows::Constants;
 use sph_mpi::pair::{Layout, PairLoop, RowSums, Rows, Terms, torque};
 use sph_mpi::random::uniform;
@@ -41,13 +41,13 @@ fn cloud(dimension: usize, terms: Terms, count: usize, seed: u64) -> Cloud {
         record[layout.volume()] = next(0.1, 0.4);
         set_half(record, layout.density(), next(0.5, 3.0));
         set_half(record, layout.h_inverse(), next(0.8, 1.3));
-        if terms.viscosity != Viscosity::Off {
+        if terms.viscosity != ViscousTerm::Off {
             set_half(record, layout.alpha_c(), next(0.5, 2.0));
         }
-        if terms.viscosity == Viscosity::OwnBeta {
+        if terms.viscosity == ViscousTerm::OwnBeta {
             set_half(record, layout.beta(), next(1.0, 4.0));
         }
-        if terms.artificial_stress {
+        if terms.artificial_stress() {
             for k in 0..layout.tensor_words() {
                 set_half(record, layout.artificial() + k, next(-1.0, 1.0));
             }
@@ -87,31 +87,36 @@ impl Cloud {
     }
 }
 
+/// Every combination that can be said.
 fn all_terms() -> Vec<Terms> {
-    let plain = Terms {
-        tensor: false,
-        viscosity: Viscosity::Off,
-        artificial_stress: false,
-        correction: false,
-        no_torque: false,
-        contrast: false,
-    };
     let mut all = Vec::new();
-    for viscosity in [Viscosity::Off, Viscosity::SameBeta, Viscosity::OwnBeta] {
-        for (tensor, artificial_stress) in [(false, false), (true, false), (true, true)] {
-            for correction in [false, true] {
-                all.push(Terms { tensor, viscosity, artificial_stress, correction, ..plain });
-            }
+    for viscosity in [ViscousTerm::Off, ViscousTerm::SameBeta, ViscousTerm::OwnBeta] {
+        let mut add = |stress: StressTerm| all.push(Terms { stress, viscosity });
+        add(StressTerm::Pressure { gradient: PressureGradient::Plain });
+        for contrast in [false, true] {
+            add(StressTerm::Pressure { gradient: PressureGradient::Corrected { contrast } });
         }
-        let corrected = Terms { viscosity, correction: true, ..plain };
-        all.push(Terms { contrast: true, ..corrected });
-        for (no_torque, contrast) in [(true, false), (false, true), (true, true)] {
-            for artificial_stress in [false, true] {
-                all.push(Terms { tensor: true, artificial_stress, no_torque, contrast, ..corrected });
+        for artificial in [false, true] {
+            add(StressTerm::Tensor { artificial, gradient: TensorGradient::Plain });
+            for (contrast, angular_momentum) in [(false, false), (false, true), (true, false), (true, true)] {
+                let gradient = TensorGradient::Corrected { contrast, angular_momentum };
+                add(StressTerm::Tensor { artificial, gradient });
             }
         }
     }
     all
+}
+
+/// The layout is that of the loop that was compiled for the terms.
+#[test]
+fn loops_read_the_records_of_their_terms() {
+    for dimension in [2, 3] {
+        for terms in all_terms() {
+            let constants = Constants { beta: 3.0, artificial_reference: 1.0 };
+            let pair_loop = PairLoop::new(dimension, terms, Kernel::CubicSpline, constants);
+            assert_eq!(*pair_loop.layout(), Layout { dimension, terms });
+        }
+    }
 }
 
 fn widths() -> Vec<Width> {
@@ -174,7 +179,7 @@ fn momentum_and_energy_are_conserved_and_viscosity_heats() {
                     let heating = volume * (work + 0.5 * s.dissipation);
                     power += kinetic + heating;
                     power_size += kinetic.abs() + heating.abs();
-                    if !terms.artificial_stress {
+                    if !terms.artificial_stress() {
                         assert!(s.dissipation >= -1e-13 * power_size, "viscosity cools: {}", s.dissipation);
                     }
                 }
@@ -210,7 +215,8 @@ fn the_kernels_of_unlike_particles_are_wide() {
 #[test]
 fn of_a_pair_the_light_one_gives_way() {
     let with_stress_alone = |terms: &Terms| {
-        terms.contrast && terms.viscosity == Viscosity::Off && !terms.artificial_stress && !terms.no_torque
+        let plain = !terms.artificial_stress() && !terms.angular_momentum();
+        terms.contrast() && terms.viscosity == ViscousTerm::Off && plain
     };
     for terms in all_terms().into_iter().filter(with_stress_alone) {
         let mut contrast = cloud(3, terms, 2, 4);
@@ -219,7 +225,7 @@ fn of_a_pair_the_light_one_gives_way() {
             contrast.records[stride + a] = contrast.records[a] + 0.4;
         }
         let ratios = |with: &Cloud, width: Width| {
-            let mut plain = cloud(3, Terms { contrast: false, ..terms }, 2, 4);
+            let mut plain = cloud(3, without_contrast(&terms), 2, 4);
             plain.records.clone_from(&with.records);
             let [a, b] = [with, &plain].map(|cloud| cloud.sums(Kernel::CubicSpline, width));
             [0, 1].map(|i| [a[i].gradient[0] / b[i].gradient[0], a[i].force[0] / b[i].force[0]])
@@ -232,7 +238,7 @@ fn of_a_pair_the_light_one_gives_way() {
             // Ten times the pressure in the heavy one.
             for (record, p) in [(0, 10.0), (stride, 1.0)] {
                 contrast.records[record + stress..record + stress + contrast.layout.stress_words()].fill(0.0);
-                let diagonal = if terms.tensor { 3 } else { 1 };
+                let diagonal = if terms.tensor() { 3 } else { 1 };
                 contrast.records[record + stress..record + stress + diagonal].fill(-p);
             }
             for width in widths() {
@@ -249,18 +255,29 @@ fn of_a_pair_the_light_one_gives_way() {
     }
 }
 
+fn without_contrast(terms: &Terms) -> Terms {
+    let stress = match terms.tensor() {
+        false => StressTerm::Pressure { gradient: PressureGradient::Corrected { contrast: false } },
+        true => StressTerm::Tensor {
+            artificial: false,
+            gradient: TensorGradient::Corrected { contrast: false, angular_momentum: false },
+        },
+    };
+    Terms { stress, ..*terms }
+}
+
 fn work(layout: &Layout, record: &[f64], s: &RowSums) -> f64 {
     let d = layout.dimension;
     let g = &s.gradient;
     let t = &record[layout.stress()..];
-    let diagonal: f64 = (0..d).map(|a| g[a * d + a] * if layout.terms.tensor { t[a] } else { t[0] }).sum();
+    let diagonal: f64 = (0..d).map(|a| g[a * d + a] * if layout.terms.tensor() { t[a] } else { t[0] }).sum();
     let w: Vec<f64> = (0..layout.axial_words()).map(|k| half(record, layout.axial() + k)).collect();
     let diagonal = match w.len() {
         0 => diagonal,
         1 => diagonal + torque::heating::<2>(&w, g),
         _ => diagonal + torque::heating::<3>(&w, g),
     };
-    if !layout.terms.tensor {
+    if !layout.terms.tensor() {
         diagonal
     } else if d == 2 {
         diagonal + t[2] * (g[1] + g[2])
@@ -269,12 +286,16 @@ fn work(layout: &Layout, record: &[f64], s: &RowSums) -> f64 {
     }
 }
 
+/// A solid with all that acts between its particles but the antisymmetric stress.
+fn tensile() -> Terms {
+    let gradient = TensorGradient::Corrected { contrast: false, angular_momentum: false };
+    Terms { stress: StressTerm::Tensor { artificial: true, gradient }, viscosity: ViscousTerm::SameBeta }
+}
+
 /// The full solid kernel against its formulas, pair by pair.
 #[test]
 fn sums_agree_with_a_plain_double_loop() {
-    let viscosity = Viscosity::SameBeta;
-    let terms =
-        Terms { tensor: true, viscosity, artificial_stress: true, correction: true, no_torque: false, contrast: false };
+    let terms = tensile();
     let cloud = cloud(3, terms, 25, 3);
     let layout = cloud.layout;
     for (kernel, spline) in [(Kernel::CubicSpline, true), (Kernel::WendlandC2, false)] {
@@ -353,9 +374,7 @@ fn slope(spline: bool, r: f64, h: f64) -> f64 {
 /// Coincident particles, an isolated one and padding leave finite numbers, and no force where there is no direction.
 #[test]
 fn coincident_particles_are_harmless() {
-    let viscosity = Viscosity::SameBeta;
-    let terms =
-        Terms { tensor: true, viscosity, artificial_stress: true, correction: true, no_torque: false, contrast: false };
+    let terms = tensile();
     let mut cloud = cloud(3, terms, 3, 9);
     let stride = cloud.layout.stride();
     let first: Vec<f64> = cloud.records[..3].to_vec();

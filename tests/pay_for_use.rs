@@ -4,9 +4,8 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use sph_mpi::pair::record::Viscosity;
+use sph_mpi::pair::record::{PressureGradient, StressTerm, TensorGradient, ViscousTerm};
 use sph_mpi::pair::{Layout, Terms};
-use sph_mpi::particles::Life;
 use sph_mpi::scene::Scene;
 use sph_mpi::simulation::footprint::Footprint;
 use sph_mpi::simulation::setup::{Plan, plan};
@@ -81,18 +80,13 @@ struct Case {
 
 /// Physics that grows from a gas to all that there is.
 fn cases() -> Vec<Case> {
-    let gas = Terms {
-        tensor: false,
-        viscosity: Viscosity::Off,
-        artificial_stress: false,
-        correction: false,
-        no_torque: false,
-        contrast: false,
-    };
-    let viscous = Terms { viscosity: Viscosity::SameBeta, ..gas };
+    let pressure = StressTerm::Pressure { gradient: PressureGradient::Plain };
+    let gas = Terms { stress: pressure, viscosity: ViscousTerm::Off };
+    let viscous = Terms { viscosity: ViscousTerm::SameBeta, ..gas };
     // Solids have what is right for them unless a scene says otherwise.
-    let solid = Terms { tensor: true, correction: true, no_torque: true, ..viscous };
-    let tensile = Terms { artificial_stress: true, ..solid };
+    let gradient = TensorGradient::Corrected { contrast: false, angular_momentum: true };
+    let [solid, tensile] =
+        [false, true].map(|artificial| Terms { stress: StressTerm::Tensor { artificial, gradient }, ..viscous });
     let mut columns = CORE.to_vec();
     let mut with = |more: &[(&'static str, usize)]| {
         columns.extend(more);
@@ -156,14 +150,15 @@ fn a_solid_may_do_without_its_defaults() {
     let text = format!("{BALLS}\n[material.basalt.strength]\n").replace("MATERIAL", "basalt");
     let plan = |change: &str| {
         let scene = Scene::parse("scene.toml", &text, &[change.to_string()]).expect("a scene");
-        plan(&scene, scene.bodies.iter().map(|body| body.constants(10, scene.numerics.eta)).collect())
+        plan(&scene, scene.bodies.iter().map(|body| body.constants(10, scene.numerics.eta)).collect()).expect("a plan")
     };
     let [default, less, least] =
         ["numerics.cfl=0.25", "numerics.angular_momentum=false", "numerics.corrected_gradient=false"].map(plan);
     let moments = 8 * MOMENTS.iter().map(|(_, width)| width).sum::<usize>();
     let bytes = |plan: &Plan| plan.registry.bytes_per_particle();
     assert_eq!([bytes(&less), bytes(&least)], [bytes(&default) - moments; 2]);
-    assert!(default.terms.no_torque && less.terms.correction && !less.terms.no_torque && !least.terms.correction);
+    let keeps = [&default, &less].map(|plan| plan.terms.angular_momentum());
+    assert_eq!((keeps, less.terms.corrects(), least.terms.corrects()), ([true, false], true, false));
     let words = |plan: &Plan| Layout { dimension: 3, terms: plan.terms }.words();
     assert_eq!([words(&default), words(&less), words(&least)], [16, 15, 15]);
 }
@@ -173,7 +168,7 @@ impl Case {
     fn scene(&self, asked: &[&str]) -> String {
         let material = if self.gas { "ideal_gas" } else { "basalt" };
         let heat = if self.gas { "internal_energy = \"1e6 J/kg\"\n" } else { "" };
-        let off = if self.terms.viscosity == Viscosity::Off { "numerics.viscosity = false\n" } else { "" };
+        let off = if self.terms.viscosity == ViscousTerm::Off { "numerics.viscosity = false\n" } else { "" };
         let keys: Vec<&str> = asked.iter().copied().filter(|line| !line.starts_with('[')).collect();
         let tables: Vec<&str> = asked.iter().copied().filter(|line| line.starts_with('[')).collect();
         let mut balls = BALLS.replace("MATERIAL", material).replace("particles =", &format!("{heat}particles ="));
@@ -210,7 +205,7 @@ impl Case {
         let mut fields = declared(&|entry| entry.info.snapshot && entry.name != "position");
         fields.extend(["body", "mass", "smoothing_length"].map(String::from));
         assert_eq!(members("snapshot_0001.vtkhdf", "/VTKHDF/PointData"), fields, "snapshot of {}", self.name);
-        let state = declared(&|entry| entry.info.life == Life::State);
+        let state = declared(&|entry| entry.info.life.is_state());
         assert_eq!(members("checkpoint.h5", "/columns"), state, "checkpoint of {}", self.name);
     }
 }
@@ -221,7 +216,7 @@ fn parse(text: &str) -> (Scene, Plan) {
         let particles = body.count(0..body.lattice_sites());
         body.constants(particles, scene.numerics.eta)
     });
-    let plan = plan(&scene, constants.collect());
+    let plan = plan(&scene, constants.collect()).expect("a plan");
     (scene, plan)
 }
 

@@ -47,7 +47,7 @@ until = "1.5 ms"
 fn seams_are_filled() {
     ranks(1, "refined::seams_are_filled", |comm| {
         let hand = ByHand::<3>::with(REFINED, &[], comm, |_, _, _| {});
-        let constants = &hand.stepper.settings.constants;
+        let constants = &hand.stepper.settings.view.constants;
         let volume = |i: usize| constants[hand.body(i)].particle_mass / constants[hand.body(i)].density;
         let cut = hand.scene.bodies[2].cut.expect("a part");
         let point = sph_mpi::math::Vec3::from(cut.point);
@@ -130,7 +130,7 @@ fn layers_and_probes_hold_all_parts() {
         let [pressure, density] = probes::row(&hand.scene, &hand.stepper, comm)[..] else { panic!("two figures") };
         let (mut volumes, mut pressures, mut mass) = (0.0, 0.0, 0.0);
         for i in hand.particles().filter(|&i| hand.body(i) != 1) {
-            let m = hand.stepper.settings.constants[hand.body(i)].particle_mass;
+            let m = hand.stepper.settings.view.constants[hand.body(i)].particle_mass;
             let volume = m / hand.numbers("density")[i];
             (volumes, pressures, mass) =
                 (volumes + volume, pressures + volume * hand.get::<f64>("pressure", i), mass + m);

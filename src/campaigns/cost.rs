@@ -12,7 +12,7 @@ use crate::error::Result;
 use crate::kernel::SUPPORT;
 use crate::material::BodyConstants;
 use crate::outcome::settled::Settled;
-use crate::particles::Life;
+use crate::pair::record::ViscousTerm;
 use crate::particles::columns::Entry;
 use crate::scene::{Body, Precision, Scene, Snapshots, Until};
 use crate::simulation::footprint::Footprint;
@@ -28,7 +28,7 @@ const IMPACTS: f64 = 6.0;
 /// Describes the scene and its cost on `ranks` ranks of one thread each, over a `network` of that latency, s, and bandwidth,
 /// bytes/s, where they are given. Collective.
 pub fn check(scene: &Scene, ranks: usize, network: Option<(f64, f64)>, comm: &Comm) -> Result<String> {
-    let plan = setup::plan(scene, particles(scene, comm)?);
+    let plan = setup::plan(scene, particles(scene, comm)?)?;
     let footprint = Footprint::new(scene, &plan, ranks);
     let pace = pace::measure(scene, &plan.constants, (footprint.owned, network), comm)?;
     let life = list_life(scene, &plan).unwrap_or(pace.life);
@@ -92,7 +92,7 @@ fn effects(scene: &Scene, plan: &Plan) -> String {
     let t = &plan.terms;
     ["viscosity", "corrected_gradient", "artificial_stress", "angular_momentum", "density_contrast"]
         .iter()
-        .zip([scene.numerics.viscosity, t.correction, t.artificial_stress, t.no_torque, t.contrast])
+        .zip([t.viscosity != ViscousTerm::Off, t.corrects(), t.artificial_stress(), t.angular_momentum(), t.contrast()])
         .filter(|(_, on)| *on)
         .for_each(|(name, _)| row(name));
     format!("\n{}", aligned(&rows))
@@ -119,7 +119,7 @@ fn columns(plan: &Plan) -> String {
     for entry in &plan.registry.entries {
         let about = if entry.name == entry.info.name { entry.info.about } else { "Rate at the last evaluation." };
         let unit = if entry.name == entry.info.name { entry.info.unit.to_string() } else { rate_of(entry.info.unit) };
-        let life = if entry.info.life == Life::State { "state" } else { "scratch" };
+        let life = if entry.info.life.is_state() { "state" } else { "scratch" };
         let snapshots = if entry.info.snapshot { "yes" } else { "no" };
         let width = entry.width.to_string();
         rows.push(words([entry.name.as_str(), &unit, &width, entry.owner, life, snapshots, about]));
@@ -223,7 +223,7 @@ pub struct Price {
 
 /// Predicts a run on `ranks` ranks of one thread each, by a pace that was measured with the same effects. Collective.
 pub fn predict(scene: &Scene, ranks: usize, pace: &Pace, comm: &Comm) -> Result<Price> {
-    let plan = setup::plan(scene, particles(scene, comm)?);
+    let plan = setup::plan(scene, particles(scene, comm)?)?;
     let footprint = Footprint::new(scene, &plan, ranks);
     let life = list_life(scene, &plan).unwrap_or(pace.life);
     let cost = Step::new(&pace.machine, &load(scene, &plan, &footprint, (ranks, life)));
@@ -232,7 +232,7 @@ pub fn predict(scene: &Scene, ranks: usize, pace: &Pace, comm: &Comm) -> Result<
 
 /// The pace of a scene. Collective.
 pub fn pace(scene: &Scene, ranks: usize, network: Option<(f64, f64)>, comm: &Comm) -> Result<Pace> {
-    let plan = setup::plan(scene, particles(scene, comm)?);
+    let plan = setup::plan(scene, particles(scene, comm)?)?;
     pace::measure(scene, &plan.constants, (Footprint::new(scene, &plan, ranks).owned, network), comm)
 }
 
@@ -335,10 +335,9 @@ fn earliest_settled(scene: &Scene) -> f64 {
 /// The step of soft matter at rest, s.
 fn soft_step(scene: &Scene, plan: &Plan) -> Option<f64> {
     let late = scene.late()?;
-    let steps = plan.constants.iter().zip(&scene.bodies).zip(&late.0).map(|((constants, body), softening)| {
-        let viscosity = scene.materials[body.material].viscosity_coefficients().unwrap_or_default();
-        let sound = softening.longitudinal_sound();
-        time_step::cfl(scene.numerics.cfl, constants.smoothing_length, sound, viscosity.into(), 0.0)
+    let steps = plan.constants.iter().zip(&late.0).enumerate().map(|(number, (constants, softening))| {
+        let (viscosity, sound) = (plan.view.viscosity(number), softening.longitudinal_sound());
+        time_step::cfl(scene.numerics.cfl, constants.smoothing_length, sound, viscosity, 0.0)
     });
     Some(steps.fold(f64::INFINITY, f64::min))
 }
@@ -383,7 +382,7 @@ fn output(scene: &Scene, plan: &Plan, particles: u64, until: (f64, f64)) -> (Str
     };
     let checkpoints = 1.0 + (until.1 / scene.run.checkpoint_every).floor();
     let of_snapshots = snapshots * real * words(&|entry| entry.info.snapshot) as f64;
-    let of_checkpoints = checkpoints * 8.0 * words(&|entry| entry.info.life == Life::State) as f64;
+    let of_checkpoints = checkpoints * 8.0 * words(&|entry| entry.info.life.is_state()) as f64;
     let s = if checkpoints == 1.0 { "" } else { "s" };
     let bytes = particles as f64 * (of_snapshots + of_checkpoints);
     (format!("{snapshots} snapshots, {checkpoints} checkpoint{s}"), bytes)
@@ -393,9 +392,8 @@ fn output(scene: &Scene, plan: &Plan, particles: u64, until: (f64, f64)) -> (Str
 fn step<'a>(scene: &'a Scene, plan: &Plan, approach: f64) -> (f64, &'a str) {
     let steps = plan.constants.iter().enumerate().map(|(number, constants)| {
         let body = &scene.bodies[number];
-        let [alpha, beta] = scene.materials[body.material].viscosity_coefficients().unwrap_or_default();
-        let sound = report::sound_speed(scene, number);
-        let dt = time_step::cfl(scene.numerics.cfl, constants.smoothing_length, sound, (alpha, beta), approach);
+        let (viscosity, sound) = (plan.view.viscosity(number), report::sound_speed(scene, number));
+        let dt = time_step::cfl(scene.numerics.cfl, constants.smoothing_length, sound, viscosity, approach);
         (dt, body.name.as_str())
     });
     steps.fold((f64::INFINITY, ""), |a, b| if b.0 < a.0 { b } else { a })
@@ -435,7 +433,7 @@ mod tests {
         let overrides: Vec<String> = overrides.iter().map(|o| o.to_string()).collect();
         let scene = Scene::parse("qd.toml", include_str!("../../inputs/qd_star.toml"), &overrides).unwrap();
         let constants = scene.bodies.iter().map(|body| body.constants(1000, scene.numerics.eta)).collect();
-        let plan = setup::plan(&scene, constants);
+        let plan = setup::plan(&scene, constants).expect("a plan");
         (scene, plan)
     }
 

@@ -13,8 +13,8 @@ use crate::particles::{Columns, ParticleId, Periods};
 use crate::random::uniform;
 use crate::scene::Scene;
 use crate::simulation::{report, resources, setup};
+use crate::step::StepSettings;
 use crate::step::phases::{Phase, Phases};
-use crate::step::stepper::StepSettings;
 use crate::step::{Failure, Stepper};
 
 /// Particles of the block: as many as a rank will have, since caches make few particles cheaper, but within these bounds.
@@ -79,7 +79,7 @@ fn measure_in<const D: usize>(
     (owned, network): (f64, Option<(f64, f64)>),
     comm: &Comm,
 ) -> Result<Pace> {
-    let plan = setup::plan(scene, constants.to_vec());
+    let plan = setup::plan(scene, constants.to_vec())?;
     let edge = owned.clamp(PARTICLES[0], PARTICLES[1]).powf(1.0 / D as f64) as u64;
     let particles = edge.pow(D as u32) as usize;
     let count = (UPDATES / particles).max(FEWEST_STEPS);
@@ -91,14 +91,15 @@ fn measure_in<const D: usize>(
     let mut stepper = Stepper::<D>::new(&alone, columns, settings);
     let told = |failure: Failure| failure.error(|body| &scene.bodies[body].name);
     let mut times = Times::default();
-    let mut dt = stepper.start().map_err(told)?.dt;
+    stepper.start().map_err(told)?;
+    let mut dt = stepper.state.next;
     // What comes once, as memory that is touched for the first time, does not count.
     times.leave_out(&stepper.phases);
     if let Some(own) = stepper.settings.gravity.as_mut().and_then(|gravity| gravity.own.as_mut()) {
         own.interval = GRAVITY_EVERY * dt;
     }
     for _ in 0..count {
-        dt = stepper.step(dt, 0).map_err(told)?.dt;
+        dt = stepper.step(dt, stepper.state.time + dt, 0).map_err(told)?.dt;
         stepper.totals();
         times.note(&stepper.phases);
     }
@@ -199,7 +200,7 @@ fn block(scene: &Scene, plan: &setup::Plan, edge: u64) -> Columns {
     // Cold gas has no speed of sound, and steps as any that moves.
     let speed = MOTION * Some(report::sound_speed(scene, number)).filter(|sound| *sound > 0.0).unwrap_or(1.0);
     let last = edge.pow(scene.dimension as u32);
-    let core = plan.core;
+    let core = plan.view.core;
     let mut columns = Columns::new(plan.registry.clone());
     columns.resize(last as usize);
     let internal_energy = plan.registry.find::<f64>("internal_energy");

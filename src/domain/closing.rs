@@ -1,5 +1,5 @@
 //! How long matter that is not in touch yet needs until it is. The Courant condition knows sound, and the approach of pairs inside
-//! their supports; what is fast and soft could fly into other matter, or through it, within one of its steps. With the blocks of
+//! their supports; what is fast and soft could fly into other matter, or through it, wismallest one of its steps. With the blocks of
 //! 3^D cells of [`watch`](super::watch), W the largest velocity at which matter of a block may close on other matter of it, C the
 //! Courant number:
 //!
@@ -7,98 +7,26 @@
 //! particles of the block's own level:          W dt <= C h              h: the smallest of them
 //! finer ones that no block of theirs holds:    W dt <= 2 S - d - s      S: side of the cells one level below, d: how far they have
 //!                                                                       come since the lists were built, s: their largest support
-//! all that no block holds:                     W dt <= 2 S - d - s      S: side of the widest cells watched; d, s: of everything,
+//! all that no block holds:                     W dt <= 2 S - d - s      S: side of the widest cells watched; d, s: of everysmallestg,
 //!                                                                       W: the largest relative velocity of any two
 //! W^2 = sum over axes k of w_k^2,   w_k = max over a <= b of (max v_k in layer a  -  min v_k in layer b)
 //! ```
 //!
 //! Layers are halves of cells, numbered along the axis: of two particles in different layers only the approach counts, of two in one
-//! layer their relative velocity. What expands is so limited by the velocities within half a cell alone. As two sides were between
+//! layer their relative velocity. What expands is so limited by the velocities wismallest half a cell alone. As two sides were between
 //! particles that no block holds (see there), a pair comes by C h into its supports at most before its forces are known; particles
 //! that have passed each other since the lists were built stand in the wrong order, but they are in them.
 //!
-//! Matter of which nothing moves by C h in a step at all need not be looked at. Extremes are exact, and the same on any ranks.
+//! Matter of which nosmallestg moves by C h in a step at all need not be looked at. Extremes are exact, and the same on any ranks.
 
 use rayon::prelude::*;
 
 use super::comm::{Comm, Exchange};
-use super::watch::{Blocks, CELLS, Motion, Summary, Watch};
+use super::velocities::{CellVelocities, Velocities, relative, words};
+use super::watch::{Blocks, CELLS, Displacements, Summary, Watch};
 
-/// Velocities in the halves of a cell along each axis: maxima only, so that cells merge element by element.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Flight<const D: usize> {
-    forward: [[f64; 2]; D],
-    /// Of the velocity's opposite.
-    backward: [[f64; 2]; D],
-    /// -h of the smallest particle of the cell's own level.
-    thin: f64,
-}
-
-/// Numbers of a cell that another rank must know.
-const fn words(dimension: usize) -> usize {
-    4 * dimension + 1
-}
-
-impl<const D: usize> Flight<D> {
-    const NOTHING: Self =
-        Self { forward: [[f64::NEG_INFINITY; 2]; D], backward: [[f64::NEG_INFINITY; 2]; D], thin: f64::NEG_INFINITY };
-
-    fn merge(&mut self, other: &Self) {
-        for k in 0..D {
-            for half in 0..2 {
-                self.add(k, half, other.forward[k][half], other.backward[k][half]);
-            }
-        }
-        self.thin = self.thin.max(other.thin);
-    }
-
-    /// The velocities of a cell of the level below, whose code ends in `code`.
-    fn merge_child(&mut self, child: &Self, code: u64) {
-        for k in 0..D {
-            let half = (code >> (D - 1 - k) & 1) as usize;
-            let [forward, backward] = [child.forward[k], child.backward[k]].map(|v| v[0].max(v[1]));
-            self.add(k, half, forward, backward);
-        }
-    }
-
-    #[inline(always)]
-    fn add(&mut self, k: usize, half: usize, forward: f64, backward: f64) {
-        self.forward[k][half] = self.forward[k][half].max(forward);
-        self.backward[k][half] = self.backward[k][half].max(backward);
-    }
-
-    fn write(&self, to: &mut [f64]) {
-        to[..2 * D].copy_from_slice(self.forward.as_flattened());
-        to[2 * D..4 * D].copy_from_slice(self.backward.as_flattened());
-        to[4 * D] = self.thin;
-    }
-
-    fn read(from: &[f64]) -> Self {
-        let part = |first: usize| std::array::from_fn(|k| [from[first + 2 * k], from[first + 2 * k + 1]]);
-        Self { forward: part(0), backward: part(2 * D), thin: from[4 * D] }
-    }
-}
-
-/// The largest difference of two vectors whose components, and their opposites, are at most these.
-pub fn relative(forward: &[f64], backward: &[f64]) -> f64 {
-    forward.iter().zip(backward).map(|(f, b)| (f + b).max(0.0).powi(2)).sum::<f64>().sqrt()
-}
-
-/// What a watch keeps for it, made when it is first asked.
-pub(super) struct Flights<const D: usize> {
-    /// Of own cells, then of cells known from other ranks only.
-    cells: Vec<Flight<D>>,
-    exchange: Exchange,
-}
-
-impl<const D: usize> Flights<D> {
-    pub(super) fn bytes(&self) -> usize {
-        std::mem::size_of::<Flight<D>>() * self.cells.len() + self.exchange.bytes()
-    }
-}
-
-/// How particles fly.
-pub struct Flying<'a> {
+/// How particles move.
+pub struct Moving<'a> {
     /// D numbers per owned particle, m/s.
     pub velocity: &'a [f64],
     /// The largest relative velocity of any two particles of all ranks, m/s.
@@ -117,20 +45,20 @@ pub struct Closing {
 }
 
 impl<const D: usize> Watch<D> {
-    /// The longest step in which nothing flies into each other unseen. Collective.
+    /// The longest step in which nosmallestg flies into each other unseen. Collective.
     pub fn closing<S: Fn(usize) -> f64 + Sync>(
         &mut self,
-        motion: &Motion<'_, S>,
-        flying: &Flying,
+        motion: &Displacements<'_, S>,
+        moving: &Moving,
         courant: f64,
         comm: &Comm,
     ) -> Closing {
-        let &Flying { velocity, relative: all, id } = flying;
+        let &Moving { velocity, relative: all, id } = moving;
         self.survey(motion, comm);
-        self.exchange_flights(motion, velocity, comm);
-        let flights = &self.flights.as_ref().expect("just made").cells;
+        self.exchange_velocities(motion, velocity, comm);
+        let velocities = &self.velocities.as_ref().expect("just made").cells;
         let (blocks, summaries, sides) = (&self.blocks, &self.summaries, &self.sides);
-        let limit = |block: usize| limit(blocks, (block, summaries, flights), sides, courant);
+        let limit = |block: usize| limit(blocks, (block, summaries, velocities), sides, courant);
         let limits: Vec<f64> = (0..blocks.reach.len()).into_par_iter().with_min_len(CELLS).map(limit).collect();
         let (forward, backward) = self.farthest_moves();
         let mut agreed = vec![limits.iter().copied().fold(f64::INFINITY, f64::min)];
@@ -149,54 +77,54 @@ impl<const D: usize> Watch<D> {
     }
 
     /// Velocities of all cells, other ranks' included. Collective.
-    fn exchange_flights<S: Fn(usize) -> f64 + Sync>(&mut self, motion: &Motion<'_, S>, velocity: &[f64], comm: &Comm) {
+    fn exchange_velocities<S: Fn(usize) -> f64 + Sync>(&mut self, motion: &Displacements<'_, S>, velocity: &[f64], comm: &Comm) {
         let [sends, receives] = &self.peers;
         let new = || {
             let numbers = |list: &[(usize, usize)]| {
                 list.iter().map(|&(rank, cells)| (rank, cells * words(D))).collect::<Vec<_>>()
             };
             let exchange = Exchange::new(comm, &numbers(sends), &numbers(receives));
-            Flights { cells: vec![Flight::NOTHING; self.summaries.len()], exchange }
+            Velocities { cells: vec![CellVelocities::NOTHING; self.summaries.len()], exchange }
         };
-        let mut flights = self.flights.take().unwrap_or_else(new);
+        let mut velocities = self.velocities.take().unwrap_or_else(new);
         for level in 0..self.levels.len() - 1 {
-            self.summarise_flight(level, &mut flights.cells, motion, velocity);
+            self.summarise_velocities(level, &mut velocities.cells, motion, velocity);
         }
-        let outgoing = flights.exchange.outgoing().chunks_exact_mut(words(D));
-        self.send_cells.iter().zip(outgoing).for_each(|(&cell, to)| flights.cells[cell as usize].write(to));
-        flights.exchange.start(comm);
-        flights.cells[self.cells.len()..].fill(Flight::NOTHING);
-        flights.exchange.wait(comm);
-        for (&cell, from) in self.receive_cells.iter().zip(flights.exchange.incoming().chunks_exact(words(D))) {
-            flights.cells[cell as usize].merge(&Flight::read(from));
+        let outgoing = velocities.exchange.outgoing().chunks_exact_mut(words(D));
+        self.send_cells.iter().zip(outgoing).for_each(|(&cell, to)| velocities.cells[cell as usize].write(to));
+        velocities.exchange.start(comm);
+        velocities.cells[self.cells.len()..].fill(CellVelocities::NOTHING);
+        velocities.exchange.wait(comm);
+        for (&cell, from) in self.receive_cells.iter().zip(velocities.exchange.incoming().chunks_exact(words(D))) {
+            velocities.cells[cell as usize].merge(&CellVelocities::read(from));
         }
-        self.flights = Some(flights);
+        self.velocities = Some(velocities);
     }
 
     /// Own cells of one level, from their particles and the level below.
-    fn summarise_flight<S: Fn(usize) -> f64 + Sync>(
+    fn summarise_velocities<S: Fn(usize) -> f64 + Sync>(
         &self,
         level: usize,
-        flights: &mut [Flight<D>],
-        motion: &Motion<'_, S>,
+        velocities: &mut [CellVelocities<D>],
+        motion: &Displacements<'_, S>,
         velocity: &[f64],
     ) {
         let (start, end) = (self.levels[level], self.levels[level + 1]);
-        let (finer, flights) = flights.split_at_mut(start);
+        let (finer, velocities) = velocities.split_at_mut(start);
         let (cells, lattice) = (&self.cells, &self.lattice);
-        let mine = flights[..end - start].par_iter_mut().zip(&cells[start..end]);
-        mine.with_min_len(CELLS).for_each(|(flight, cell)| {
-            *flight = Flight::NOTHING;
+        let mine = velocities[..end - start].par_iter_mut().zip(&cells[start..end]);
+        mine.with_min_len(CELLS).for_each(|(velocities, cell)| {
+            *velocities = CellVelocities::NOTHING;
             for child in cell.children.start as usize..cell.children.end as usize {
-                flight.merge_child(&finer[child], cells[child].code);
+                velocities.merge_child(&finer[child], cells[child].code);
             }
             for i in cell.particles.start as usize..cell.particles.end as usize {
-                flight.thin = flight.thin.max(-(motion.support)(i) / crate::kernel::SUPPORT);
+                velocities.smallest = velocities.smallest.max(-(motion.support)(i) / crate::kernel::SUPPORT);
                 let at = std::array::from_fn(|k| motion.build_position[D * i + k]);
                 let upper: [bool; D] = lattice.upper_half(&at, level as u32);
                 for k in 0..D {
                     let v = velocity[D * i + k];
-                    flight.add(k, upper[k] as usize, v, -v);
+                    velocities.add(k, upper[k] as usize, v, -v);
                 }
             }
         });
@@ -206,12 +134,12 @@ impl<const D: usize> Watch<D> {
 /// The longest step for the particles of one block, s.
 fn limit<const D: usize>(
     blocks: &Blocks,
-    (block, summaries, flights): (usize, &[Summary<D>], &[Flight<D>]),
+    (block, summaries, velocities): (usize, &[Summary<D>], &[CellVelocities<D>]),
     sides: &[f64],
     courant: f64,
 ) -> f64 {
-    let (speed, thin) = approach(blocks.cells_of(block).iter().map(|&c| &flights[c as usize]), blocks.layers_of(block));
-    let own = if thin > f64::NEG_INFINITY { -courant * thin } else { f64::INFINITY };
+    let (speed, smallest) = approach(blocks.cells_of(block).iter().map(|&c| &velocities[c as usize]), blocks.layers_of(block));
+    let own = if smallest > f64::NEG_INFINITY { -courant * smallest } else { f64::INFINITY };
     let (apart, finer) = blocks.moved(block, summaries);
     let gap =
         if finer > f64::NEG_INFINITY { 2.0 * sides[blocks.level(block) - 1] - apart - finer } else { f64::INFINITY };
@@ -220,20 +148,20 @@ fn limit<const D: usize>(
 
 /// The largest velocity W at which matter in a block of cells may close on other matter in it, and -h of the smallest particle of
 /// its level.
-fn approach<'a, const D: usize>(flights: impl Iterator<Item = &'a Flight<D>>, layers: &[u8]) -> (f64, f64) {
+fn approach<'a, const D: usize>(velocities: impl Iterator<Item = &'a CellVelocities<D>>, layers: &[u8]) -> (f64, f64) {
     let (mut forward, mut backward) = ([[f64::NEG_INFINITY; 6]; D], [[f64::NEG_INFINITY; 6]; D]);
-    let mut thin = f64::NEG_INFINITY;
-    for (flight, &layers) in flights.zip(layers) {
-        thin = thin.max(flight.thin);
+    let mut smallest = f64::NEG_INFINITY;
+    for (velocities, &layers) in velocities.zip(layers) {
+        smallest = smallest.max(velocities.smallest);
         for k in 0..D {
             let layer = (layers >> (2 * k) & 3) as usize;
-            // On both sides of everything.
+            // On both sides of everysmallestg.
             let around: &[usize] = if layer == 3 { &[0, 2] } else { &[layer] };
             for &layer in around {
                 for half in 0..2 {
                     let place = 2 * layer + half;
-                    forward[k][place] = forward[k][place].max(flight.forward[k][half]);
-                    backward[k][place] = backward[k][place].max(flight.backward[k][half]);
+                    forward[k][place] = forward[k][place].max(velocities.forward[k][half]);
+                    backward[k][place] = backward[k][place].max(velocities.backward[k][half]);
                 }
             }
         }
@@ -246,7 +174,7 @@ fn approach<'a, const D: usize>(flights: impl Iterator<Item = &'a Flight<D>>, la
         }
         closing
     };
-    ((0..D).map(|k| closing(k).powi(2)).sum::<f64>().sqrt(), thin)
+    ((0..D).map(|k| closing(k).powi(2)).sum::<f64>().sqrt(), smallest)
 }
 
 #[cfg(test)]
@@ -254,13 +182,13 @@ mod tests {
     use super::*;
 
     /// A cell in which velocities along x are from `low` to `high` in each half.
-    fn cell(halves: [(f64, f64); 2]) -> Flight<2> {
-        let mut flight = Flight::NOTHING;
+    fn cell(halves: [(f64, f64); 2]) -> CellVelocities<2> {
+        let mut velocities = CellVelocities::NOTHING;
         for (half, (low, high)) in halves.into_iter().enumerate() {
-            flight.add(0, half, high, -low);
-            flight.add(1, half, 0.0, 0.0);
+            velocities.add(0, half, high, -low);
+            velocities.add(1, half, 0.0, 0.0);
         }
-        flight
+        velocities
     }
 
     #[test]

@@ -6,11 +6,13 @@ pub mod comm;
 pub mod decomposition;
 pub mod ghosts;
 pub mod migration;
+mod velocities;
 pub mod watch;
 
 pub use bisection::Bisection;
-pub use closing::{Closing, Flying};
+pub use closing::{Closing, Moving};
+pub use velocities::relative;
 pub use comm::{Comm, Exchange};
 pub use decomposition::{Decomposition, Handles, Space};
 pub use ghosts::Ghosts;
-pub use watch::{Motion, Watch};
+pub use watch::{Displacements, Watch};

@@ -25,7 +25,7 @@
 
 use rayon::prelude::*;
 
-use super::closing::{Flights, relative};
+use super::velocities::{Velocities, relative};
 use super::comm::{Comm, Exchange};
 use super::ghosts::Extent;
 use crate::particles::cells::{CellTable, MAX_LEVEL};
@@ -117,7 +117,7 @@ pub(super) struct Cell {
 }
 
 /// Where particles are now.
-pub struct Motion<'a, S> {
+pub struct Displacements<'a, S> {
     /// D numbers per owned particle, m.
     pub position: &'a [f64],
     pub build_position: &'a [f64],
@@ -148,7 +148,7 @@ pub struct Watch<const D: usize> {
     pub(super) peers: [Peers; 2],
     pub(super) send_cells: Vec<u32>,
     pub(super) receive_cells: Vec<u32>,
-    pub(super) flights: Option<Flights<D>>,
+    pub(super) velocities: Option<Velocities<D>>,
     /// No particle may move farther, m.
     farthest: f64,
 }
@@ -227,7 +227,7 @@ impl<const D: usize> Watch<D> {
             blocks: known.blocks::<D>(lattice, &cells, &levels),
             exchange: Exchange::new(comm, &numbers(&sends), &numbers(&receives)),
             peers: [sends, receives],
-            flights: None,
+            velocities: None,
             farthest: farthest(lattice, widest, (levels.len() - 2) as u32, D),
             cells,
             levels,
@@ -238,7 +238,7 @@ impl<const D: usize> Watch<D> {
 
     /// How much of the skin is used up, as far as this rank sees: lists hold while the maximum over ranks is at most 1.
     /// Collective.
-    pub fn skin_used<S: Fn(usize) -> f64 + Sync>(&mut self, motion: &Motion<'_, S>, comm: &Comm) -> f64 {
+    pub fn skin_used<S: Fn(usize) -> f64 + Sync>(&mut self, motion: &Displacements<'_, S>, comm: &Comm) -> f64 {
         self.surveyed = false;
         self.survey(motion, comm);
         let farthest = self.summaries[self.top()].iter().map(Summary::farthest).fold(0.0, f64::max);
@@ -248,7 +248,7 @@ impl<const D: usize> Watch<D> {
     }
 
     /// Brings the summaries of all cells to the present positions. Collective.
-    pub(super) fn survey<S: Fn(usize) -> f64 + Sync>(&mut self, motion: &Motion<'_, S>, comm: &Comm) {
+    pub(super) fn survey<S: Fn(usize) -> f64 + Sync>(&mut self, motion: &Displacements<'_, S>, comm: &Comm) {
         if std::mem::replace(&mut self.surveyed, true) {
             return;
         }
@@ -296,7 +296,7 @@ impl<const D: usize> Watch<D> {
     pub fn forget(&mut self) {
         (self.cells, self.summaries, self.supports, self.radii) = Default::default();
         self.blocks = Blocks::default();
-        self.flights = None;
+        self.velocities = None;
     }
 
     /// Bytes held.
@@ -310,11 +310,11 @@ impl<const D: usize> Watch<D> {
                 + self.send_cells.len()
                 + self.receive_cells.len())
             + self.exchange.bytes()
-            + self.flights.as_ref().map_or(0, Flights::bytes)
+            + self.velocities.as_ref().map_or(0, Velocities::bytes)
     }
 
     /// Own cells of one level, from their particles and the level below.
-    fn summarise<S: Fn(usize) -> f64 + Sync>(&mut self, level: usize, motion: &Motion<'_, S>) {
+    fn summarise<S: Fn(usize) -> f64 + Sync>(&mut self, level: usize, motion: &Displacements<'_, S>) {
         let (start, end) = (self.levels[level], self.levels[level + 1]);
         let (finer, summaries) = self.summaries.split_at_mut(start);
         let (finer_supports, supports) = self.supports.split_at_mut(start);

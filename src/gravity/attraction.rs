@@ -32,7 +32,7 @@ use serde::{Deserialize, Serialize};
 use super::{Body, Field, Opening, solve_later};
 use crate::domain::comm::{Comm, Overlapped};
 use crate::math::Vec3;
-use crate::particles::{Chunk, Column, ColumnInfo, Columns, Life, ParticleId, Registry};
+use crate::particles::{Chunk, Column, ColumnInfo, Columns, Life, ParticleId, Rates, Registry};
 
 /// Cells farther than their size over this see each other as expansions; nearer to 1 these converge too slowly.
 const ANGLE: f64 = 0.9;
@@ -59,7 +59,7 @@ pub struct OwnGravity {
     /// J/kg, at the same time.
     pub potential: Column<f64>,
     /// How they change until the next time, where that is not the next step.
-    pub rates: Option<Rates>,
+    pub rates: Option<FieldRates>,
     /// Error of one cell's expansion that a particle may feel, over its acceleration.
     pub accuracy: f64,
     /// Seconds from one evaluation to the next; zero for every step.
@@ -68,7 +68,7 @@ pub struct OwnGravity {
 
 /// Columns of how a kept field changes.
 #[derive(Debug, Clone, Copy)]
-pub struct Rates {
+pub struct FieldRates {
     /// By which the acceleration goes on, m/s^3.
     acceleration: Column<Vec3>,
     /// By which it changed from the evaluation before to the last one, m/s^3.
@@ -106,15 +106,14 @@ pub struct Matter<'a> {
 }
 
 impl Attraction {
-    /// Adds to the accelerations of a chunk, `dimension` numbers for each particle, m/s^2; `age` seconds after own gravity was
-    /// evaluated.
-    pub fn add(&self, chunk: &Chunk, age: f64, dimension: usize, acceleration: &mut [f64]) {
-        for (i, a) in acceleration.chunks_exact_mut(dimension).take(chunk.len()).enumerate() {
+    /// Adds to the accelerations of a chunk, m/s^2; `age` seconds after own gravity was evaluated.
+    pub fn add(&self, chunk: &Chunk, age: f64, dimension: usize, rates: &Rates) {
+        for (i, a) in rates.acceleration.chunks_exact(dimension).take(chunk.len()).enumerate() {
             let own = self.own.map_or(Vec3::zeros(), |own| {
                 let rate = own.rates.map_or(Vec3::zeros(), |rates| chunk.view(rates.acceleration).get(i));
                 chunk.view(own.acceleration).get(i) + rate * age
             });
-            (0..dimension).for_each(|k| a[k] += self.uniform[k] + own[k]);
+            (0..dimension).for_each(|k| a[k].set(a[k].get() + (self.uniform[k] + own[k])));
         }
     }
 
@@ -143,20 +142,20 @@ pub fn declare_rounds(registry: &mut Registry) -> Column<Vec3> {
 impl OwnGravity {
     /// `interval`: seconds from one evaluation to the next.
     pub fn declare(registry: &mut Registry, accuracy: f64, interval: f64) -> Self {
-        let state = |name, unit, about, snapshot| ColumnInfo { name, unit, about, life: Life::State, snapshot };
+        let kept = |name, unit, about, snapshot| ColumnInfo { name, unit, about, life: Life::Kept, snapshot };
         registry.owner("gravity");
         let about = "Acceleration by the gravity of all particles, as last evaluated.";
-        let acceleration = registry.column(state("gravity", "m/s^2", about, false));
+        let acceleration = registry.column(kept("gravity", "m/s^2", about, false));
         let about = "Gravitational potential of all other particles, as last evaluated.";
-        let potential = registry.column(state("gravitational_potential", "J/kg", about, true));
+        let potential = registry.column(kept("gravitational_potential", "J/kg", about, true));
         let rates = (interval > 0.0).then(|| {
             let about = "By which the acceleration of gravity goes on until it is evaluated again.";
-            let acceleration = registry.column(state("gravity_rate", "m/s^3", about, false));
+            let acceleration = registry.column(kept("gravity_rate", "m/s^3", about, false));
             let about = "By which it changed from the evaluation before to the last one.";
-            let slope = registry.column(state("gravity_slope", "m/s^3", about, false));
+            let slope = registry.column(kept("gravity_slope", "m/s^3", about, false));
             let about = "The same of the potential.";
-            let potential = registry.column(state("gravitational_potential_rate", "J/(kg s)", about, false));
-            Rates { acceleration, slope, potential }
+            let potential = registry.column(kept("gravitational_potential_rate", "J/(kg s)", about, false));
+            FieldRates { acceleration, slope, potential }
         });
         Self { acceleration, potential, rates, accuracy, interval }
     }

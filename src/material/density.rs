@@ -6,6 +6,7 @@
 //! and a shock front is not crossed within one step.
 
 use super::{Core, Local, MaterialEffect, Setup, StepLimit};
+use crate::error::Result;
 use crate::particles::{Integrated, Registry};
 
 /// Largest change of volume within one step.
@@ -20,8 +21,8 @@ pub struct Continuity {
 }
 
 impl MaterialEffect for Continuity {
-    fn declare(_setup: &Setup, _registry: &mut Registry, core: &Core) -> Option<Self> {
-        Some(Self { density: core.density })
+    fn declare(_setup: &Setup, _registry: &mut Registry, core: &Core) -> Result<Option<Self>> {
+        Ok(Some(Self { density: core.density }))
     }
 
     fn name(&self) -> &'static str {
@@ -40,7 +41,7 @@ impl MaterialEffect for Continuity {
 
     fn rates(&self, local: &Local) {
         let density = local.view(self.density.value);
-        let rate = local.new_rate(self.density);
+        let rate = local.rate(self.density);
         for (i, motion) in local.motion.iter().enumerate() {
             rate.set(i, -density.get(i) * motion.velocity_gradient.trace());
         }

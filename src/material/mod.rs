@@ -4,7 +4,9 @@
 //! Sign conventions, stated once: stress is positive in tension, pressure positive in compression, sigma = S - P 1;
 //! L[(a, b)] = d v_a / d x_b.
 
+pub mod damage;
 pub mod late;
+pub mod particle_view;
 pub mod setup;
 #[cfg(test)]
 mod testing;
@@ -12,8 +14,9 @@ pub mod viscosity;
 
 use crate::error::Result;
 use crate::math::{Mat3, Vec3};
-use crate::particles::{Chunk, Column, Columns, Element, Integrated, ParticleId, Registry, View};
+use crate::particles::{Chunk, Column, Columns, Element, Integrated, ParticleId, Rates, Registry, View};
 pub use late::Late;
+pub use particle_view::{ParticleView, Viscosity};
 pub use record::Records;
 pub use setup::{PerBody, Setup, Table};
 
@@ -40,13 +43,16 @@ macro_rules! material_effects {
         }
 
         /// The columns of every scene and the effects its materials ask for, in the order in which they act.
-        pub fn effects(setup: &Setup, registry: &mut Registry) -> (Core, Vec<Box<dyn MaterialEffect>>) {
+        ///
+        /// # Errors
+        /// Where one needs what the others do not give.
+        pub fn effects(setup: &Setup, registry: &mut Registry) -> Result<(Core, Vec<Box<dyn MaterialEffect>>)> {
             let core = declare_core(registry);
             let mut effects: Vec<Box<dyn MaterialEffect>> = Vec::new();
-            $(if let Some(effect) = $module::$effect::declare(setup, registry, &core) {
+            $(if let Some(effect) = $module::$effect::declare(setup, registry, &core)? {
                 effects.push(Box::new(effect));
             })*
-            (core, effects)
+            Ok((core, effects))
         }
     };
 }
@@ -90,6 +96,11 @@ impl MaterialTable {
         self.porosity.as_ref().map_or(1.0, |table| table.distention.0)
     }
 
+    /// Whether heat takes its strength.
+    pub fn melts(&self) -> bool {
+        self.strength.as_ref().is_some_and(|strength| strength.melting.is_some())
+    }
+
     pub fn has_fracture(&self) -> bool {
         self.fracture.is_some()
     }
@@ -101,9 +112,6 @@ pub struct Core {
     pub id: Column<ParticleId>,
     pub position: Column<Vec3>,
     pub velocity: Column<Vec3>,
-    pub acceleration: Column<Vec3>,
-    /// Change of the acceleration over the last step, by its length.
-    pub jerk: Column<Vec3>,
     /// Position at the last list build; lists and ghosts stand on it until the next.
     pub build_position: Column<Vec3>,
     pub density: Integrated<f64>,
@@ -145,9 +153,9 @@ pub struct Local<'a> {
     pub constants: &'a [BodyConstants],
     /// Motion of each particle; empty outside `rates`.
     pub motion: &'a [Motion],
-    /// New rates of the integrated columns, one block of cells per slot; only within `rates`.
-    pub new_rates: &'a [Vec<std::cell::Cell<u64>>],
-    /// The step that was just taken, s; only within `update`.
+    /// Rates of the integrated columns; an effect writes those of its own within `rates`.
+    pub rates: &'a Rates,
+    /// Seconds since the last commit; only within `commit`.
     pub dt: f64,
 }
 
@@ -175,11 +183,26 @@ impl Local<'_> {
         self.chunk.view(column)
     }
 
-    /// Where an effect writes the new rate of a column it owns; starts as zero.
+    /// A column that some scenes do without.
     #[inline]
-    pub fn new_rate<T: Element>(&self, column: Integrated<T>) -> View<'_, T> {
-        let width = self.new_rates[column.slot].len() / crate::particles::chunk::CHUNK;
-        View::new(&self.new_rates[column.slot], width)
+    pub fn optional(&self, column: Option<Column<f64>>) -> OrZero<'_> {
+        OrZero(column.map(|column| self.view(column)))
+    }
+
+    /// Where an effect writes the rate of a column it owns; starts as zero.
+    #[inline]
+    pub fn rate<T: Element>(&self, column: Integrated<T>) -> View<'_, T> {
+        self.rates.view(column)
+    }
+}
+
+/// A column that may be absent, and then counts as zero.
+pub struct OrZero<'a>(Option<View<'a, f64>>);
+
+impl OrZero<'_> {
+    #[inline(always)]
+    pub fn get(&self, i: usize) -> f64 {
+        self.0.as_ref().map_or(0.0, |view| view.get(i))
     }
 }
 
@@ -202,7 +225,10 @@ pub struct Diagnostic {
 pub trait MaterialEffect: Send + Sync {
     /// Declares the columns of the effect, or `None` where no material of the scene asks for it: then nothing of it
     /// exists.
-    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Option<Self>
+    ///
+    /// # Errors
+    /// Where a material asks for it, and the effects above do not give what it needs.
+    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Result<Option<Self>>
     where
         Self: Sized;
 
@@ -214,13 +240,17 @@ pub trait MaterialEffect: Send + Sync {
     /// Rates of the integrated columns at the state that the pair loop saw.
     fn rates(&self, _local: &Local) {}
 
-    /// Brings an advanced state back to what the material can bear (yield surface, energy floor): after prediction and
-    /// after correction alike. Must be idempotent.
+    /// Returns a state that the integrator has moved to what the material can bear (yield surface, least density). Must be
+    /// idempotent.
     fn admit(&self, _local: &Local) {}
 
-    /// Brings everything else up to date after prediction: pressure, sound speed, and irreversible state, which grows
-    /// here by `local.dt` and nowhere else, so that no corrector can take it back.
+    /// Brings up to date what follows from the state: pressure, sound speed, and what a load has changed since the last commit. An
+    /// integrator may try several states before it accepts one; for each it sets the state columns back first.
     fn update(&self, _local: &Local) {}
+
+    /// Takes over what never goes back (damage, peaks), once for each step that is accepted, after `update`: it grows by
+    /// `local.dt`.
+    fn commit(&self, _local: &Local) {}
 
     /// The largest time step, evaluated after `rates` with `local.motion` and new rates at hand.
     fn step_limit(&self, _local: &Local) -> Option<StepLimit> {
@@ -243,27 +273,21 @@ pub trait MaterialEffect: Send + Sync {
 /// Declares the columns of every scene.
 pub fn declare_core(registry: &mut Registry) -> Core {
     use crate::particles::{ColumnInfo, Life};
-    let state = |name, unit, about, snapshot| ColumnInfo { name, unit, about, life: Life::State, snapshot };
+    let state = |name, unit, about| ColumnInfo { name, unit, about, life: Life::State, snapshot: true };
+    let kept = |name, unit, about, snapshot| ColumnInfo { name, unit, about, life: Life::Kept, snapshot };
     let scratch = |name, unit, about, snapshot| ColumnInfo { name, unit, about, life: Life::Scratch, snapshot };
     registry.owner("core");
     Core {
-        id: registry.column(state(
+        id: registry.column(kept(
             "id",
             "",
             "Global number: body in the upper 16 bits, lattice site in the lower 48.",
             true,
         )),
-        position: registry.column(state("position", "m", "Position.", true)),
-        velocity: registry.column(state("velocity", "m/s", "Velocity.", true)),
-        acceleration: registry.column(state("acceleration", "m/s^2", "Acceleration at the last evaluation.", false)),
-        jerk: registry.column(state(
-            "jerk",
-            "m/s^3",
-            "Change of the acceleration over the last step, by its length.",
-            false,
-        )),
-        build_position: registry.column(state("build_position", "m", "Position at the last list build.", false)),
-        density: registry.integrated(state("density", "kg/m^3", "Bulk density.", true)),
+        position: registry.column(state("position", "m", "Position.")),
+        velocity: registry.column(state("velocity", "m/s", "Velocity.")),
+        build_position: registry.column(kept("build_position", "m", "Position at the last list build.", false)),
+        density: registry.integrated(state("density", "kg/m^3", "Bulk density.")),
         pressure: registry.column(scratch(
             "pressure",
             "Pa",

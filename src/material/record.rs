@@ -80,7 +80,8 @@ struct Share {
 
 /// The columns that the scene asks for.
 pub struct Record {
-    energy: Column<f64>,
+    /// Where a record goes by it.
+    energy: Option<Column<f64>>,
     pressure: Column<f64>,
     peak_pressure: Option<Column<f64>>,
     shares: Vec<Share>,
@@ -95,12 +96,13 @@ fn raise(record: &View<f64>, i: usize, value: f64) {
 }
 
 impl MaterialEffect for Record {
-    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Option<Self> {
+    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Result<Option<Self>> {
         let records = setup.records;
         if records == Records::default() {
-            return None;
+            return Ok(None);
         }
-        let energy = registry.find(eos::INTERNAL_ENERGY)?;
+        let heat = records.melt_fraction || records.vapour_fraction;
+        let energy = heat.then(|| registry.need("record", eos::INTERNAL_ENERGY)).transpose()?;
         registry.owner("record");
         let mut column =
             |name, unit, about| registry.column(ColumnInfo { name, unit, about, life: Life::State, snapshot: true });
@@ -120,19 +122,19 @@ impl MaterialEffect for Record {
                 diagnostic: Diagnostic { name: "vaporised_mass", unit: "kg" },
             }));
         }
-        Some(Self { energy, pressure: core.pressure, peak_pressure, shares })
+        Ok(Some(Self { energy, pressure: core.pressure, peak_pressure, shares }))
     }
 
     fn name(&self) -> &'static str {
         "record"
     }
 
-    fn update(&self, local: &Local) {
+    fn commit(&self, local: &Local) {
         if let Some(peak) = self.peak_pressure.map(|column| local.view(column)) {
             let pressure = local.view(self.pressure);
             (0..local.len()).for_each(|i| raise(&peak, i, pressure.get(i)));
         }
-        let energy = local.view(self.energy);
+        let energy = local.optional(self.energy);
         for share in &self.shares {
             let record = local.view(share.record);
             for (rise, range) in share.rises.runs(local) {

@@ -7,7 +7,12 @@
 //! stand. No time-step limit of its own: density changes by a limited share per step already.
 
 use super::{Core, Local, MaterialEffect, Setup};
+use crate::error::Result;
 use crate::particles::{Column, ColumnInfo, Integrated, Life, Registry};
+
+/// Names of the columns.
+pub const SMOOTHING_LENGTH: &str = "smoothing_length";
+pub const AT_BUILD: &str = "build_smoothing_length";
 
 /// Bounds in units of the smoothing length at the start.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,14 +29,14 @@ pub struct SmoothingLength {
 }
 
 impl MaterialEffect for SmoothingLength {
-    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Option<Self> {
-        let bounds = setup.smoothing_length?;
-        let info = |name, about, snapshot| ColumnInfo { name, unit: "m", about, life: Life::State, snapshot };
+    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Result<Option<Self>> {
+        let Some(bounds) = setup.smoothing_length else { return Ok(None) };
+        let info = |name, about, life| ColumnInfo { name, unit: "m", about, life, snapshot: false };
         registry.owner("smoothing_length");
-        let value = registry.column(info("smoothing_length", "Smoothing length; the support is twice it.", false));
-        let _at_build: Column<f64> =
-            registry.column(info("build_smoothing_length", "Smoothing length at the last list build.", false));
-        Some(Self { bounds, planar: setup.dimension == 2, value, density: core.density })
+        let about = "Smoothing length; the support is twice it.";
+        let value = registry.column(info(SMOOTHING_LENGTH, about, Life::State));
+        registry.column::<f64>(info(AT_BUILD, "Smoothing length at the last list build.", Life::Kept));
+        Ok(Some(Self { bounds, planar: setup.dimension == 2, value, density: core.density }))
     }
 
     fn name(&self) -> &'static str {
@@ -58,8 +63,8 @@ mod tests {
     use super::super::testing::gas;
     use super::super::{BodyConstants, Records, declare_core};
     use super::*;
-    use crate::particles::Columns;
     use crate::particles::chunk::Chunks;
+    use crate::particles::{Columns, Rates};
 
     /// h over h_0 where density is `ratio` times that at the start.
     fn stretch(dimension: usize, ratio: f64) -> f64 {
@@ -77,7 +82,9 @@ mod tests {
         };
         let mut registry = Registry::new(dimension);
         let core = declare_core(&mut registry);
-        let effect = SmoothingLength::declare(&setup, &mut registry, &core).expect("bounds ask for it");
+        let effect = SmoothingLength::declare(&setup, &mut registry, &core).expect("nothing is missing");
+        let effect = effect.expect("bounds ask for it");
+        let rates = Rates::new(&registry);
         let mut columns = Columns::new(registry);
         columns.resize(1);
         columns.set(core.density.value, 0, ratio * density);
@@ -89,7 +96,7 @@ mod tests {
             bodies: &[0],
             constants: &constants,
             motion: &[],
-            new_rates: &[],
+            rates: &rates,
             dt: 0.0,
         });
         columns.get(effect.value, 0) / smoothing_length

@@ -1,13 +1,13 @@
 //! A rig for tests: one particle per body, driven by a given velocity gradient with the predictor-corrector of the step
 //! loop.
 
-use std::cell::Cell;
-
+use super::damage::{DAMAGE, damaged_stress};
+use super::strength;
 use super::{BodyConstants, Core, Local, MaterialEffect, MaterialTable, Motion, Records, Setup, StepLimit, effects};
-use super::{fracture, strength};
+use crate::error::Result;
 use crate::math::{Deviator, Mat3};
-use crate::particles::chunk::{CHUNK, Chunks};
-use crate::particles::{Column, Columns, Element, ParticleId, Registry};
+use crate::particles::chunk::Chunks;
+use crate::particles::{Column, Columns, Element, Life, ParticleId, Rates, Registry};
 
 /// Benz & Asphaug 1999, Icarus 142, 5.
 pub fn basalt() -> MaterialTable {
@@ -49,6 +49,8 @@ pub struct Rig {
     pub core: Core,
     pub columns: Columns,
     pub effects: Vec<Box<dyn MaterialEffect>>,
+    /// Columns of the last rates, one per integrated column.
+    rates: Vec<usize>,
     constants: Vec<BodyConstants>,
     bodies: Vec<u16>,
     friction: Vec<bool>,
@@ -66,6 +68,10 @@ impl Rig {
     }
 
     pub fn with_records(materials: Vec<MaterialTable>, records: Records, initial_damage: f64) -> Self {
+        Self::try_new(materials, records, initial_damage).expect("effects that have what they need")
+    }
+
+    pub fn try_new(materials: Vec<MaterialTable>, records: Records, initial_damage: f64) -> Result<Self> {
         let count = materials.len();
         let constants: Vec<_> = materials
             .iter()
@@ -87,7 +93,9 @@ impl Rig {
             smoothing_length: None,
         };
         let mut registry = Registry::new(3);
-        let (core, effects) = effects(&setup, &mut registry);
+        let (core, effects) = effects(&setup, &mut registry)?;
+        let rates = registry.integrated.clone();
+        let rates = rates.iter().map(|&index| registry.like(index, "_rate", Life::Kept)).collect();
         let mut columns = Columns::new(registry);
         columns.resize(count);
         for body in 0..count {
@@ -95,9 +103,9 @@ impl Rig {
         }
         let bodies = (0..count as u16).collect();
         let friction = materials.iter().map(MaterialTable::has_friction).collect();
-        let mut rig = Self { core, columns, effects, constants, bodies, friction };
+        let mut rig = Self { core, columns, effects, rates, constants, bodies, friction };
         rig.each(0.0, &[], |effect, local| effect.initialise(local));
-        rig
+        Ok(rig)
     }
 
     pub fn column<T: Element>(&self, name: &str) -> Column<T> {
@@ -118,20 +126,14 @@ impl Rig {
 
     /// Calls `act` for every effect in order; `update` and `initialise` need no motion.
     pub fn each(&mut self, dt: f64, motion: &[Motion], mut act: impl FnMut(&dyn MaterialEffect, &Local)) {
-        let new_rates: Vec<Vec<Cell<u64>>> = self
-            .columns
-            .registry
-            .integrated
-            .iter()
-            .map(|&(value, _)| vec![Cell::new(0); CHUNK * self.columns.width(value)])
-            .collect();
+        let new_rates = Rates::new(&self.columns.registry);
         let integrated = self.columns.registry.integrated.clone();
         let len = self.columns.len();
         let chunks = Chunks::new(&mut self.columns, Vec::new());
         // SAFETY: the only chunk.
         let chunk = unsafe { chunks.chunk(0..len) };
         let (bodies, constants) = (&self.bodies, &self.constants);
-        let local = Local { chunk: &chunk, bodies, constants, motion, new_rates: &new_rates, dt };
+        let local = Local { chunk: &chunk, bodies, constants, motion, rates: &new_rates, dt };
         for effect in &self.effects {
             act(effect.as_ref(), &local);
         }
@@ -139,7 +141,7 @@ impl Rig {
             return;
         }
         // The corrector: the mean of the old and the new rate replaces the old one.
-        for (&(value, rate), new) in integrated.iter().zip(&new_rates) {
+        for ((&value, &rate), new) in integrated.iter().zip(&self.rates).zip(new_rates.blocks()) {
             for ((value, rate), new) in chunk.words(value).iter().zip(chunk.words(rate)).zip(new) {
                 let change = f64::from_bits(new.get()) - f64::from_bits(rate.get());
                 value.set((f64::from_bits(value.get()) + 0.5 * dt * change).to_bits());
@@ -150,7 +152,7 @@ impl Rig {
 
     /// One step of `dt` in which every particle moves with `gradient`; the smallest step limit.
     pub fn step(&mut self, gradient: &Mat3, dt: f64) -> Option<StepLimit> {
-        for (value, rate) in self.columns.registry.integrated.clone() {
+        for (value, &rate) in self.columns.registry.integrated.clone().into_iter().zip(&self.rates) {
             let rates = self.columns.numbers(rate).to_vec();
             for (word, rate) in self.columns.words_mut(value).iter_mut().zip(rates) {
                 *word = (f64::from_bits(*word) + rate * dt).to_bits();
@@ -158,6 +160,7 @@ impl Rig {
         }
         self.each(dt, &[], |effect, local| effect.admit(local));
         self.each(dt, &[], |effect, local| effect.update(local));
+        self.each(dt, &[], |effect, local| effect.commit(local));
         let motion: Vec<_> = (0..self.columns.len())
             .map(|i| Motion { velocity_gradient: *gradient, heating: self.heating(i, gradient) })
             .collect();
@@ -175,12 +178,7 @@ impl Rig {
         let registry = &self.columns.registry;
         let at = |name| registry.find(name).map_or(0.0, |column| self.columns.get(column, i));
         let stress = registry.find(strength::DEVIATORIC_STRESS).map_or(Deviator::default(), |s| self.columns.get(s, i));
-        let sigma = fracture::damaged_stress(
-            &stress,
-            self.columns.get(self.core.pressure, i),
-            at(fracture::DAMAGE),
-            self.friction[i],
-        );
+        let sigma = damaged_stress(&stress, self.columns.get(self.core.pressure, i), at(DAMAGE), self.friction[i]);
         sigma.to_matrix().dot(gradient) / self.columns.get(self.core.density.value, i)
     }
 }

@@ -1,4 +1,4 @@
-//! Motion that a scene prescribes for whole bodies or for layers of them: walls, pistons, rollers, layers that swallow waves.
+//! Motion that a scene prescribes for whole bodies or for layers of them: walls, pistons, rollers, absorbing layers.
 //! It acts on accelerations, after the sums over pairs and before the corrector:
 //!
 //! ```text
@@ -11,12 +11,10 @@
 //! walls still knows whether it conserves: dW/dt = m (a' - a).v and dJ/dt = m (a' - a), with a the free acceleration. Energy
 //! less W and momentum less J stay constant.
 
-use std::cell::Cell;
-
 use serde::{Deserialize, Serialize};
 
 use crate::math::Vec3;
-use crate::particles::{Chunk, Column, ColumnInfo, Columns, Integrated, Life, Registry, View};
+use crate::particles::{Chunk, Column, ColumnInfo, Columns, Integrated, Life, Rates, Registry};
 
 /// Largest step over the time constant of a damping layer.
 const DAMPING_STEP: f64 = 0.25;
@@ -66,6 +64,24 @@ impl Motion {
     }
 }
 
+/// The particles of a chunk whose motion may be prescribed.
+#[derive(Clone, Copy)]
+pub struct Moving<'a> {
+    pub chunk: &'a Chunk<'a>,
+    pub velocity: Column<Vec3>,
+    /// Body of each particle.
+    pub bodies: &'a [u16],
+    /// s since the start.
+    pub now: f64,
+}
+
+/// The largest step that damping allows, s, and for which particle of a chunk.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DampingLimit {
+    pub dt: f64,
+    pub particle: usize,
+}
+
 /// The prescribed motions of a scene and what they have done so far.
 #[derive(Debug, Clone)]
 pub struct Motions {
@@ -94,15 +110,16 @@ impl Motions {
         if layers.is_empty() && bodies.iter().all(|motion| *motion == Motion::Free) {
             return None;
         }
-        let state = |name, unit, about, snapshot| ColumnInfo { name, unit, about, life: Life::State, snapshot };
+        let state = |name, unit, about| ColumnInfo { name, unit, about, life: Life::State, snapshot: false };
         registry.owner("motion");
         let layer = "Number of the layer that prescribes the particle's motion, zero outside.";
         let work = "Work done on the particle by what prescribes its motion.";
         let impulse = "Momentum that the particle got from what prescribes its motion.";
         Some(Self {
-            layer: (!layers.is_empty()).then(|| registry.column(state("layer", "", layer, true))),
-            work: registry.integrated(state("boundary_work", "J", work, false)),
-            impulse: registry.integrated(state("boundary_impulse", "kg m/s", impulse, false)),
+            layer: (!layers.is_empty())
+                .then(|| registry.column(ColumnInfo { life: Life::Kept, snapshot: true, ..state("layer", "", layer) })),
+            work: registry.integrated(state("boundary_work", "J", work)),
+            impulse: registry.integrated(state("boundary_impulse", "kg m/s", impulse)),
             bodies,
             layers,
             masses,
@@ -121,36 +138,30 @@ impl Motions {
         if layer == 0 { &self.bodies[body] } else { &self.layers[layer - 1] }
     }
 
-    /// Turns the free accelerations of a chunk (D numbers each, m/s^2) into those of its motions and writes the rates of
-    /// work and impulse. `now`: s since the start. Returns the largest step that damping allows, s, and for which particle.
-    pub fn constrain<const D: usize>(
-        &self,
-        chunk: &Chunk,
-        (velocity, now): (Column<Vec3>, f64),
-        bodies: &[u16],
-        (acceleration, new_rates): (&mut [f64], &[Vec<Cell<u64>>]),
-    ) -> Option<(f64, usize)> {
+    /// Turns the free accelerations of a chunk into those of its motions and writes the rates of work and impulse. Returns the
+    /// largest step that damping allows, and for which particle.
+    pub fn constrain<const D: usize>(&self, moving: &Moving, rates: &Rates) -> Option<DampingLimit> {
+        let &Moving { chunk, velocity, bodies, now } = moving;
         let velocity = chunk.view(velocity);
-        let work = View::new(&new_rates[self.work.slot], 1);
-        let impulse = View::new(&new_rates[self.impulse.slot], D);
-        let mut limit: Option<(f64, usize)> = None;
-        for (k, a) in acceleration.as_chunks_mut::<D>().0.iter_mut().take(chunk.len()).enumerate() {
+        let (work, impulse) = (rates.view(self.work), rates.view(self.impulse));
+        let mut limit: Option<DampingLimit> = None;
+        for (k, a) in rates.acceleration.as_chunks::<D>().0.iter().take(chunk.len()).enumerate() {
             let body = bodies[k] as usize;
             let motion = self.of(chunk, k, body);
             if motion.is_free(now) {
                 continue;
             }
             let v = velocity.get(k);
-            let free = Vec3::from_fn(|axis, _| if axis < D { a[axis] } else { 0.0 });
+            let free = Vec3::from_fn(|axis, _| if axis < D { a[axis].get() } else { 0.0 });
             let held = motion.constrained(free, v);
             let rate = self.masses[body] * (held - free);
             work.set(k, rate.dot(&v));
             impulse.set(k, rate);
-            (0..D).for_each(|axis| a[axis] = held[axis]);
+            (0..D).for_each(|axis| a[axis].set(held[axis]));
             if let Motion::Damped { time, .. } = motion
-                && limit.is_none_or(|(least, _)| DAMPING_STEP * time < least)
+                && limit.is_none_or(|least| DAMPING_STEP * time < least.dt)
             {
-                limit = Some((DAMPING_STEP * time, k));
+                limit = Some(DampingLimit { dt: DAMPING_STEP * time, particle: k });
             }
         }
         limit

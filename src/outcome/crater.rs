@@ -15,6 +15,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::profiles::{Bowl, Ejecta, Pores};
+use super::target_particle::TargetParticle;
 use crate::domain::comm::Comm;
 use crate::material::porosity::DISTENTION;
 use crate::material::{BodyConstants, Core};
@@ -88,24 +89,6 @@ pub struct CraterEvaluation {
     pub pores: Option<Pores>,
 }
 
-/// A particle of the ground, seen from where the projectile hits.
-pub struct Grain {
-    /// m.
-    pub height: f64,
-    /// Along the face from the point of impact, m.
-    pub aside: [f64; 2],
-    /// Upward, m/s.
-    pub speed: f64,
-    /// kg.
-    pub mass: f64,
-    /// Before the impact, m^3 (m^2 in 2D).
-    pub volume: f64,
-    /// Of its first density.
-    pub relative_density: f64,
-    /// Now and at the start, where its body has pores.
-    pub distention: Option<[f64; 2]>,
-}
-
 /// The owned particles of the ground.
 struct Ground<'a> {
     columns: &'a Columns,
@@ -116,7 +99,7 @@ struct Ground<'a> {
 }
 
 impl Ground<'_> {
-    fn grains(&self) -> impl Iterator<Item = Grain> {
+    fn particles(&self) -> impl Iterator<Item = TargetParticle> {
         let question = self.question;
         (0..self.columns.len()).filter_map(move |i| {
             let body = self.columns.get(self.core.id, i).body();
@@ -124,7 +107,7 @@ impl Ground<'_> {
                 let constants = &self.constants[body];
                 let from_face = self.columns.get(self.core.position, i) - question.face;
                 let first = constants.distention;
-                Grain {
+                TargetParticle {
                     height: from_face[question.up],
                     aside: [from_face.x, if question.up == 2 { from_face.y } else { 0.0 }],
                     speed: self.columns.get(self.core.velocity, i)[question.up],
@@ -153,37 +136,37 @@ pub fn evaluate(
     let projectile_mass = mass(&constants[question.projectile]);
     let has_pores = distention.is_some() && constants.iter().any(|body| body.distention > 1.0);
 
-    let ejecta = Ejecta::count(comm, ground.grains());
+    let ejecta = Ejecta::count(comm, ground.particles());
     let fastest = question.ejection_speed.unwrap_or(f64::INFINITY);
-    let dense = ground.grains().filter(|grain| grain.relative_density > THIN && grain.speed <= fastest);
+    let dense = ground.particles().filter(|particle| particle.relative_density > THIN && particle.speed <= fastest);
     let bowl = Bowl::measure(comm, dense, (spacing, question.extent), columns.registry.dimension);
-    let pores = has_pores.then(|| Pores::measure(comm, ground.grains(), (spacing, question.extent)));
+    let pores = has_pores.then(|| Pores::measure(comm, ground.particles(), (spacing, question.extent)));
     let [depth, radius] = bowl.size();
     let crater = Crater {
-        ejected: question.ejection_speed.map(|speed| ejected(comm, ground.grains(), speed)),
+        ejected: question.ejection_speed.map(|speed| ejected(comm, ground.particles(), speed)),
         depth,
         radius,
-        compaction: has_pores.then(|| compaction(comm, ground.grains())),
+        compaction: has_pores.then(|| compaction(comm, ground.particles())),
         ground_mass: constants.iter().map(mass).sum::<f64>() - projectile_mass,
         projectile_mass,
     };
     CraterEvaluation { crater, ejecta, bowl, pores }
 }
 
-fn ejected(comm: &Comm, grains: impl Iterator<Item = Grain>, speed: f64) -> Ejected {
+fn ejected(comm: &Comm, particles: impl Iterator<Item = TargetParticle>, speed: f64) -> Ejected {
     let mut sums = [const { ExactSum::new() }; 3];
-    for grain in grains.filter(|grain| grain.speed > speed) {
-        let above = if grain.height > 0.0 { grain.mass } else { 0.0 };
-        sums.iter_mut().zip([grain.mass, grain.volume, above]).for_each(|(sum, share)| sum.add(share));
+    for particle in particles.filter(|particle| particle.speed > speed) {
+        let above = if particle.height > 0.0 { particle.mass } else { 0.0 };
+        sums.iter_mut().zip([particle.mass, particle.volume, above]).for_each(|(sum, share)| sum.add(share));
     }
     let [mass, volume, mass_above_face] = super::all_values(comm, &mut sums);
     Ejected { mass, volume, mass_above_face }
 }
 
-fn compaction(comm: &Comm, grains: impl Iterator<Item = Grain>) -> Compaction {
+fn compaction(comm: &Comm, particles: impl Iterator<Item = TargetParticle>) -> Compaction {
     let mut sums = [const { ExactSum::new() }; 2];
     let mut least = [f64::INFINITY];
-    for (volume, [now, first]) in grains.filter_map(|grain| Some((grain.volume, grain.distention?))) {
+    for (volume, [now, first]) in particles.filter_map(|particle| Some((particle.volume, particle.distention?))) {
         sums[0].add(volume * (1.0 - now / first));
         if now <= CRUSHED {
             sums[1].add(volume);

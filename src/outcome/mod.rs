@@ -21,6 +21,7 @@ pub mod rebound;
 pub mod scaling;
 pub mod settled;
 pub mod tally;
+pub mod target_particle;
 pub mod vapour;
 
 use serde::{Deserialize, Serialize};

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::crater::Grain;
+use super::target_particle::TargetParticle;
 use crate::domain::comm::Comm;
 use crate::math::ExactSum;
 
@@ -39,15 +39,15 @@ pub struct EjectaRow {
 
 impl Ejecta {
     /// Collective.
-    pub fn count(comm: &Comm, grains: impl Iterator<Item = Grain>) -> Self {
+    pub fn count(comm: &Comm, particles: impl Iterator<Item = TargetParticle>) -> Self {
         let edge = |k: i32| libm::exp10(k as f64 / PER_DECADE as f64);
         let edges: Vec<f64> = (SLOWEST * PER_DECADE..=FASTEST * PER_DECADE).map(edge).collect();
         let mut sums = vec![ExactSum::new(); 3 * edges.len()];
-        for grain in grains {
+        for particle in particles {
             // Bin k holds speeds above edge k, up to the next.
-            let Some(bin) = edges.partition_point(|edge| *edge < grain.speed).checked_sub(1) else { continue };
-            let above = if grain.height > 0.0 { grain.mass } else { 0.0 };
-            let shares = [grain.mass, grain.volume, above];
+            let Some(bin) = edges.partition_point(|edge| *edge < particle.speed).checked_sub(1) else { continue };
+            let above = if particle.height > 0.0 { particle.mass } else { 0.0 };
+            let shares = [particle.mass, particle.volume, above];
             sums[3 * bin..][..3].iter_mut().zip(shares).for_each(|(sum, share)| sum.add(share));
         }
         let mut limbs: Vec<i64> = sums.iter_mut().flat_map(|sum| sum.limbs_mut().to_vec()).collect();
@@ -92,7 +92,7 @@ impl Bowl {
     /// Of these particles. Collective.
     pub fn measure(
         comm: &Comm,
-        dense: impl Iterator<Item = Grain>,
+        dense: impl Iterator<Item = TargetParticle>,
         (spacing, extent): (f64, f64),
         dimension: usize,
     ) -> Self {
@@ -104,12 +104,12 @@ impl Bowl {
             let (first, last) = (at(middle - half).max(0.0), at(middle + half).min(count as f64 - 1.0));
             first as usize..(last + 1.0).max(first) as usize
         };
-        for grain in dense {
+        for particle in dense {
             // A particle fills a cube around it, which may be wider than a cell.
-            let half = 0.5 * if dimension == 3 { libm::cbrt(grain.volume) } else { grain.volume.sqrt() };
-            for y in cells(grain.aside[1], half, across) {
-                for level in &mut levels[y * side..][cells(grain.aside[0], half, side)] {
-                    *level = level.max(grain.height + half);
+            let half = 0.5 * if dimension == 3 { libm::cbrt(particle.volume) } else { particle.volume.sqrt() };
+            for y in cells(particle.aside[1], half, across) {
+                for level in &mut levels[y * side..][cells(particle.aside[0], half, side)] {
+                    *level = level.max(particle.height + half);
                 }
             }
         }
@@ -158,15 +158,15 @@ pub struct PoresRow {
 
 impl Pores {
     /// Collective.
-    pub fn measure(comm: &Comm, grains: impl Iterator<Item = Grain>, (spacing, extent): (f64, f64)) -> Self {
+    pub fn measure(comm: &Comm, particles: impl Iterator<Item = TargetParticle>, (spacing, extent): (f64, f64)) -> Self {
         let bins = bins(extent, spacing);
         let mut sums = vec![ExactSum::new(); 2 * bins];
         let mut ends = vec![f64::INFINITY; 2 * bins];
-        for grain in grains.filter(|grain| from_axis(grain) < WIDTH * spacing && grain.height <= 0.0) {
-            let (Some([now, _]), bin) = (grain.distention, (-grain.height / spacing) as usize) else { continue };
+        for particle in particles.filter(|particle| from_axis(particle) < WIDTH * spacing && particle.height <= 0.0) {
+            let (Some([now, _]), bin) = (particle.distention, (-particle.height / spacing) as usize) else { continue };
             if bin < bins {
-                sums[2 * bin].add(grain.mass);
-                sums[2 * bin + 1].add(grain.mass * now);
+                sums[2 * bin].add(particle.mass);
+                sums[2 * bin + 1].add(particle.mass * now);
                 ends[2 * bin] = ends[2 * bin].min(now);
                 ends[2 * bin + 1] = ends[2 * bin + 1].min(-now);
             }
@@ -196,8 +196,8 @@ impl Pores {
 }
 
 /// Distance from the axis through the point of impact, m.
-fn from_axis(grain: &Grain) -> f64 {
-    (grain.aside[0] * grain.aside[0] + grain.aside[1] * grain.aside[1]).sqrt()
+fn from_axis(particle: &TargetParticle) -> f64 {
+    (particle.aside[0] * particle.aside[0] + particle.aside[1] * particle.aside[1]).sqrt()
 }
 
 fn bins(extent: f64, width: f64) -> usize {

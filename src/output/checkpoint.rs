@@ -10,7 +10,7 @@ use super::publish::{cannot, prepare, publish, sync_directory_of};
 use super::state_hash::{HashSum, hash_columns, state_columns};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
-use crate::particles::{Column, Columns, Life, ParticleId, Registry, Shape};
+use crate::particles::{Column, Columns, ParticleId, Registry, Shape};
 
 pub const NEWEST: &str = "checkpoint.h5";
 pub const PREVIOUS: &str = "checkpoint_previous.h5";
@@ -246,7 +246,7 @@ fn read_columns(file: &CollectiveFile, header: &Header, registry: &Registry, com
 
 /// The file must hold exactly the state columns of this run.
 fn check_names(file: &CollectiveFile, header: &Header, registry: &Registry) -> Result<()> {
-    let state = registry.entries.iter().filter(|entry| entry.info.life == Life::State);
+    let state = registry.entries.iter().filter(|entry| entry.info.life.is_state());
     let mut expected: Vec<String> = state.map(|entry| entry.name.clone()).collect();
     let mut found = file.members("/columns")?;
     expected.sort();

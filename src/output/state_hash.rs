@@ -1,12 +1,13 @@
 //! The state of a run as one number that no order and no decomposition can change: the sum modulo 2^256, over all particles,
-//! of blake3 of the particle's global id and its state columns. Two runs agree in it exactly when they agree bit for bit.
+//! of blake3 of the particle's global id and its state columns, and of blake3 of what the steps to come depend on beside them. Two
+//! runs agree in it exactly when they agree bit for bit.
 
 use std::fmt;
 
 use rayon::prelude::*;
 
 use crate::domain::comm::Comm;
-use crate::particles::{Column, Columns, Life, ParticleId};
+use crate::particles::{Column, Columns, ParticleId};
 
 /// 32-bit limbs of a sum: with 64-bit integers, 2^31 ranks can be added before one overflows.
 const LIMBS: usize = 8;
@@ -66,7 +67,7 @@ impl fmt::Display for HashSum {
 /// Indices of the state columns, in registry order.
 pub fn state_columns(columns: &Columns) -> Vec<usize> {
     let entries = columns.registry.entries.iter().enumerate();
-    entries.filter(|(_, entry)| entry.info.life == Life::State).map(|(index, _)| index).collect()
+    entries.filter(|(_, entry)| entry.info.life.is_state()).map(|(index, _)| index).collect()
 }
 
 /// This rank's share of the sum over particles of blake3(id, words of the columns `which`), little-endian. The id, which
@@ -92,10 +93,13 @@ pub fn hash_columns(columns: &Columns, id: Column<ParticleId>, which: &[usize]) 
     parts.map(|(sum, _)| sum).reduce(HashSum::default, merge)
 }
 
-/// The hash of the whole state, the same for any ranks and threads. Collective.
-pub fn state_hash(columns: &Columns, id: Column<ParticleId>, comm: &Comm) -> String {
+/// The hash of the whole state, the same for any ranks and threads: that of the columns, and of what all ranks know `beside` them.
+/// Collective.
+pub fn state_hash(columns: &Columns, id: Column<ParticleId>, beside: &[u8], comm: &Comm) -> String {
     let mine = hash_columns(columns, id, &state_columns(columns));
-    HashSum::over_ranks(&[mine], comm)[0].to_string()
+    let mut sum = HashSum::over_ranks(&[mine], comm)[0];
+    sum.add(&blake3::hash(beside));
+    sum.to_string()
 }
 
 #[cfg(test)]

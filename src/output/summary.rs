@@ -87,6 +87,8 @@ pub struct Summary {
     pub version: String,
     /// See [`super::state_hash`]: the same for any ranks and threads.
     pub state_hash: String,
+    /// State of the steps beside the particles: number and length of steps, time, what integrators and gravity keep.
+    pub step_state: serde_json::Value,
     /// Simulated time at the end, s.
     pub time: f64,
     pub steps: u64,

@@ -2,19 +2,26 @@
 
 use std::ops::Range;
 
-use super::record::{Layout, Terms, Viscosity};
-use super::rows::{Constants, Form, RowSums, Rows, sum_rows};
+use super::interact::Form;
+use super::record::{Layout, PressureGradient, StressTerm, TensorGradient, Terms, ViscousTerm};
+use super::rows::{Constants, RowSums, Rows, sum_rows};
 use crate::kernel::{CubicSpline, Kernel, Shape, WendlandC2};
 use crate::math::lanes::{Avx2, Avx512, Portable, Width, width};
 
 type Loop = unsafe fn(&Rows, &Constants, Range<usize>, &mut [RowSums]);
 
-/// The pair loop of a run.
+/// The pair loop of a run. Its layout is that of the compiled form, so that records and their reader cannot differ.
 #[derive(Clone, Copy)]
 pub struct PairLoop {
-    pub layout: Layout,
-    pub constants: Constants,
+    constants: Constants,
+    compiled: Compiled,
+}
+
+/// A loop and the records that it reads.
+#[derive(Clone, Copy)]
+struct Compiled {
     run: Loop,
+    layout: Layout,
 }
 
 impl PairLoop {
@@ -24,53 +31,62 @@ impl PairLoop {
 
     /// For tests that compare instruction sets; the processor must have `width`.
     pub fn with_width(dimension: usize, terms: Terms, kernel: Kernel, constants: Constants, width: Width) -> Self {
-        Self { layout: Layout { dimension, terms }, constants, run: choose(dimension, terms, kernel, width) }
+        Self { constants, compiled: choose(dimension, terms, kernel, width) }
+    }
+
+    /// Of the records that it reads.
+    pub fn layout(&self) -> &Layout {
+        &self.compiled.layout
     }
 
     /// Sums of the owned particles `range`; `out[k]` receives particle `range.start + k`.
     pub fn sum(&self, rows: &Rows, range: Range<usize>, out: &mut [RowSums]) {
-        assert!(range.len() <= out.len() && rows.records.len().is_multiple_of(self.layout.stride()));
+        assert!(range.len() <= out.len() && rows.records.len().is_multiple_of(self.layout().stride()));
         // SAFETY: the loop was chosen for this processor; lists hold slots of the records they were built for.
-        unsafe { (self.run)(rows, &self.constants, range, out) }
+        unsafe { (self.compiled.run)(rows, &self.constants, range, out) }
     }
 }
 
-/// The constants of one combination.
+/// One combination of terms as constants: what `with_terms` and `with_viscosity` choose.
 #[derive(Clone, Copy)]
-struct Compiled<
+struct Chosen<
     const D: usize,
     const TENSOR: bool,
-    const TENSILE: bool,
+    const ARTIFICIAL: bool,
     const CORRECTED: bool,
-    const BALANCED: bool,
+    const ANGULAR_MOMENTUM: bool,
     const CONTRAST: bool,
-    const VISC: u8,
+    const VISCOSITY: u8,
     K,
 >(std::marker::PhantomData<K>);
 
 impl<
     const D: usize,
     const TENSOR: bool,
-    const TENSILE: bool,
+    const ARTIFICIAL: bool,
     const CORRECTED: bool,
-    const BALANCED: bool,
+    const ANGULAR_MOMENTUM: bool,
     const CONTRAST: bool,
-    const VISC: u8,
+    const VISCOSITY: u8,
     K: Shape,
-> Form for Compiled<D, TENSOR, TENSILE, CORRECTED, BALANCED, CONTRAST, VISC, K>
+> Form for Chosen<D, TENSOR, ARTIFICIAL, CORRECTED, ANGULAR_MOMENTUM, CONTRAST, VISCOSITY, K>
 {
     const D: usize = D;
     const TERMS: Terms = Terms {
-        tensor: TENSOR,
-        viscosity: match VISC {
-            0 => Viscosity::Off,
-            1 => Viscosity::SameBeta,
-            _ => Viscosity::OwnBeta,
+        stress: match (TENSOR, CORRECTED) {
+            (false, false) => StressTerm::Pressure { gradient: PressureGradient::Plain },
+            (false, true) => StressTerm::Pressure { gradient: PressureGradient::Corrected { contrast: CONTRAST } },
+            (true, false) => StressTerm::Tensor { artificial: ARTIFICIAL, gradient: TensorGradient::Plain },
+            (true, true) => StressTerm::Tensor {
+                artificial: ARTIFICIAL,
+                gradient: TensorGradient::Corrected { contrast: CONTRAST, angular_momentum: ANGULAR_MOMENTUM },
+            },
         },
-        artificial_stress: TENSILE,
-        correction: CORRECTED,
-        no_torque: BALANCED,
-        contrast: CONTRAST,
+        viscosity: match VISCOSITY {
+            0 => ViscousTerm::Off,
+            1 => ViscousTerm::SameBeta,
+            _ => ViscousTerm::OwnBeta,
+        },
     };
     type Kernel = K;
 }
@@ -92,7 +108,7 @@ unsafe fn avx512<F: Form, const D: usize>(r: &Rows, c: &Constants, w: Range<usiz
     unsafe { sum_rows::<Avx512, F, D>(r, c, w, out) }
 }
 
-fn choose(dimension: usize, terms: Terms, kernel: Kernel, width: Width) -> Loop {
+fn choose(dimension: usize, terms: Terms, kernel: Kernel, width: Width) -> Compiled {
     match (dimension, kernel) {
         (2, Kernel::CubicSpline) => with_terms::<2, CubicSpline>(terms, width),
         (2, Kernel::WendlandC2) => with_terms::<2, WendlandC2>(terms, width),
@@ -102,41 +118,66 @@ fn choose(dimension: usize, terms: Terms, kernel: Kernel, width: Width) -> Loop 
     }
 }
 
-/// The combinations that there are: artificial stress and forces without torque are of tensors, and what counts neighbours or
-/// turns forces wants the corrected gradient.
-fn with_terms<const D: usize, K: Shape>(t: Terms, width: Width) -> Loop {
-    match (t.tensor, t.correction, t.artificial_stress, t.no_torque, t.contrast) {
-        (false, false, ..) => viscous::<D, false, false, false, false, false, K>(t, width),
-        (false, true, _, _, false) => viscous::<D, false, false, true, false, false, K>(t, width),
-        (false, true, _, _, true) => viscous::<D, false, false, true, false, true, K>(t, width),
-        (true, false, false, ..) => viscous::<D, true, false, false, false, false, K>(t, width),
-        (true, false, true, ..) => viscous::<D, true, true, false, false, false, K>(t, width),
-        (true, true, false, false, false) => viscous::<D, true, false, true, false, false, K>(t, width),
-        (true, true, false, false, true) => viscous::<D, true, false, true, false, true, K>(t, width),
-        (true, true, false, true, false) => viscous::<D, true, false, true, true, false, K>(t, width),
-        (true, true, false, true, true) => viscous::<D, true, false, true, true, true, K>(t, width),
-        (true, true, true, false, false) => viscous::<D, true, true, true, false, false, K>(t, width),
-        (true, true, true, false, true) => viscous::<D, true, true, true, false, true, K>(t, width),
-        (true, true, true, true, false) => viscous::<D, true, true, true, true, false, K>(t, width),
-        (true, true, true, true, true) => viscous::<D, true, true, true, true, true, K>(t, width),
+fn with_terms<const D: usize, K: Shape>(terms: Terms, width: Width) -> Compiled {
+    use PressureGradient as Pressed;
+    use StressTerm::{Pressure, Tensor};
+    use TensorGradient::{Corrected, Plain};
+    let viscosity = terms.viscosity;
+    match terms.stress {
+        Pressure { gradient: Pressed::Plain } => {
+            with_viscosity::<D, false, false, false, false, false, K>(viscosity, width)
+        }
+        Pressure { gradient: Pressed::Corrected { contrast: false } } => {
+            with_viscosity::<D, false, false, true, false, false, K>(viscosity, width)
+        }
+        Pressure { gradient: Pressed::Corrected { contrast: true } } => {
+            with_viscosity::<D, false, false, true, false, true, K>(viscosity, width)
+        }
+        Tensor { artificial: false, gradient: Plain } => {
+            with_viscosity::<D, true, false, false, false, false, K>(viscosity, width)
+        }
+        Tensor { artificial: true, gradient: Plain } => {
+            with_viscosity::<D, true, true, false, false, false, K>(viscosity, width)
+        }
+        Tensor { artificial, gradient: Corrected { contrast, angular_momentum } } => {
+            match (artificial, angular_momentum, contrast) {
+                (false, false, false) => with_viscosity::<D, true, false, true, false, false, K>(viscosity, width),
+                (false, false, true) => with_viscosity::<D, true, false, true, false, true, K>(viscosity, width),
+                (false, true, false) => with_viscosity::<D, true, false, true, true, false, K>(viscosity, width),
+                (false, true, true) => with_viscosity::<D, true, false, true, true, true, K>(viscosity, width),
+                (true, false, false) => with_viscosity::<D, true, true, true, false, false, K>(viscosity, width),
+                (true, false, true) => with_viscosity::<D, true, true, true, false, true, K>(viscosity, width),
+                (true, true, false) => with_viscosity::<D, true, true, true, true, false, K>(viscosity, width),
+                (true, true, true) => with_viscosity::<D, true, true, true, true, true, K>(viscosity, width),
+            }
+        }
     }
 }
 
-fn viscous<const D: usize, const T: bool, const A: bool, const C: bool, const B: bool, const X: bool, K: Shape>(
-    terms: Terms,
+fn with_viscosity<
+    const D: usize,
+    const T: bool,
+    const A: bool,
+    const C: bool,
+    const M: bool,
+    const X: bool,
+    K: Shape,
+>(
+    viscosity: ViscousTerm,
     width: Width,
-) -> Loop {
-    match terms.viscosity {
-        Viscosity::Off => with_lanes::<Compiled<D, T, A, C, B, X, 0, K>, D>(width),
-        Viscosity::SameBeta => with_lanes::<Compiled<D, T, A, C, B, X, 1, K>, D>(width),
-        Viscosity::OwnBeta => with_lanes::<Compiled<D, T, A, C, B, X, 2, K>, D>(width),
+) -> Compiled {
+    match viscosity {
+        ViscousTerm::Off => with_lanes::<Chosen<D, T, A, C, M, X, 0, K>, D>(width),
+        ViscousTerm::SameBeta => with_lanes::<Chosen<D, T, A, C, M, X, 1, K>, D>(width),
+        ViscousTerm::OwnBeta => with_lanes::<Chosen<D, T, A, C, M, X, 2, K>, D>(width),
     }
 }
 
-fn with_lanes<F: Form, const D: usize>(width: Width) -> Loop {
-    match width {
+fn with_lanes<F: Form, const D: usize>(width: Width) -> Compiled {
+    let run: Loop = match width {
         Width::Portable => portable::<F, D>,
         Width::Avx2 => avx2::<F, D>,
         Width::Avx512 => avx512::<F, D>,
-    }
+    };
+    Compiled { run, layout: F::LAYOUT }
 }

@@ -13,12 +13,13 @@
 //! counterpart of the momentum sums (swap i and j in the double sum), so that sum m (v^2/2 + u) is constant. Where densities
 //! differ by orders of magnitude, sigma_i, L_i and M_i may take shares of the pair instead, see [`contrast`].
 //!
-//! One term, one file: adding one is a file here, its numbers in [`record::Layout`], and a line in [`rows::interact`].
+//! One term, one file: adding one is a file here, its numbers in [`record::Layout`], and a function in [`interact`].
 
 pub mod artificial_stress;
 pub mod contrast;
 pub mod correction;
 pub mod dispatch;
+pub mod interact;
 pub mod record;
 pub mod rows;
 pub mod stress;

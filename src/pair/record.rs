@@ -1,29 +1,96 @@
 //! The pair record: exactly what a neighbour's loop reads of a particle, in whole cache lines, one record per owned or ghost
 //! particle. Which numbers it holds follows from the terms that the scene asks for.
 
-/// The terms of the pair loop in a scene.
+/// The terms of the pair loop in a scene. What needs another term can only be said together with it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Terms {
-    /// Full stress tensor; only a pressure otherwise.
-    pub tensor: bool,
-    pub viscosity: Viscosity,
-    pub artificial_stress: bool,
-    /// Correction of the velocity gradient.
-    pub correction: bool,
-    /// Forces without torque; only with `tensor` and `correction`.
-    pub no_torque: bool,
-    /// Pairs of very different density; only with `correction`.
-    pub contrast: bool,
+    pub stress: StressTerm,
+    pub viscosity: ViscousTerm,
+}
+
+/// The stress that acts between particles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StressTerm {
+    /// A pressure, where nothing has strength.
+    Pressure { gradient: PressureGradient },
+    /// The full tensor.
+    Tensor {
+        /// Artificial stress against clumping in tension.
+        artificial: bool,
+        gradient: TensorGradient,
+    },
+}
+
+/// The velocity gradient beside a pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PressureGradient {
+    Plain,
+    /// `contrast`: of pairs of very different density the light one gives way.
+    Corrected {
+        contrast: bool,
+    },
+}
+
+/// The velocity gradient beside a stress tensor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TensorGradient {
+    Plain,
+    /// `angular_momentum`: an antisymmetric stress takes the torque of all forces away.
+    Corrected {
+        contrast: bool,
+        angular_momentum: bool,
+    },
 }
 
 /// How viscosity enters the record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Viscosity {
+pub enum ViscousTerm {
     Off,
     /// One beta for all materials.
     SameBeta,
     /// beta differs: it stands in the record.
     OwnBeta,
+}
+
+impl Terms {
+    pub const fn tensor(&self) -> bool {
+        matches!(self.stress, StressTerm::Tensor { .. })
+    }
+
+    pub const fn artificial_stress(&self) -> bool {
+        matches!(self.stress, StressTerm::Tensor { artificial: true, .. })
+    }
+
+    /// Whether the velocity gradient is corrected.
+    pub const fn corrects(&self) -> bool {
+        matches!(
+            self.stress,
+            StressTerm::Pressure { gradient: PressureGradient::Corrected { .. } }
+                | StressTerm::Tensor { gradient: TensorGradient::Corrected { .. }, .. }
+        )
+    }
+
+    /// Whether pairs of very different density are told apart.
+    pub const fn contrast(&self) -> bool {
+        matches!(
+            self.stress,
+            StressTerm::Pressure { gradient: PressureGradient::Corrected { contrast: true } }
+                | StressTerm::Tensor { gradient: TensorGradient::Corrected { contrast: true, .. }, .. }
+        )
+    }
+
+    /// Whether forces exert no torque.
+    pub const fn angular_momentum(&self) -> bool {
+        matches!(
+            self.stress,
+            StressTerm::Tensor { gradient: TensorGradient::Corrected { angular_momentum: true, .. }, .. }
+        )
+    }
+
+    /// Whether a pair heats beyond the work of the stress.
+    pub const fn dissipates(&self) -> bool {
+        !matches!(self.viscosity, ViscousTerm::Off) || self.artificial_stress()
+    }
 }
 
 /// Where each number stands in a record.
@@ -48,7 +115,7 @@ impl Layout {
     }
 
     pub const fn stress_words(&self) -> usize {
-        if self.terms.tensor { self.tensor_words() } else { 1 }
+        if self.terms.tensor() { self.tensor_words() } else { 1 }
     }
 
     pub const fn tensor_words(&self) -> usize {
@@ -84,19 +151,19 @@ impl Layout {
     pub const fn artificial(&self) -> usize {
         self.density()
             + match self.terms.viscosity {
-                Viscosity::Off => 2,
-                Viscosity::SameBeta => 3,
-                Viscosity::OwnBeta => 4,
+                ViscousTerm::Off => 2,
+                ViscousTerm::SameBeta => 3,
+                ViscousTerm::OwnBeta => 4,
             }
     }
 
     /// Axial vector of the antisymmetric stress, Pa: x y z in 3D, z in 2D.
     pub const fn axial(&self) -> usize {
-        self.artificial() + if self.terms.artificial_stress { self.tensor_words() } else { 0 }
+        self.artificial() + if self.terms.artificial_stress() { self.tensor_words() } else { 0 }
     }
 
     pub const fn axial_words(&self) -> usize {
-        match (self.terms.no_torque, self.dimension) {
+        match (self.terms.angular_momentum(), self.dimension) {
             (false, _) => 0,
             (true, 2) => 1,
             (true, _) => 3,
@@ -138,22 +205,16 @@ mod tests {
 
     #[test]
     fn a_solid_takes_two_lines_and_a_gas_sends_fewer_numbers() {
-        let viscosity = Viscosity::SameBeta;
-        let solid = Terms {
-            tensor: true,
-            viscosity,
-            artificial_stress: false,
-            correction: true,
-            no_torque: false,
-            contrast: false,
+        let viscosity = ViscousTerm::SameBeta;
+        let words = |dimension, stress| Layout { dimension, terms: Terms { stress, viscosity } }.words();
+        let tensor = |artificial, angular_momentum| StressTerm::Tensor {
+            artificial,
+            gradient: TensorGradient::Corrected { contrast: false, angular_momentum },
         };
-        let gas = Terms { tensor: false, ..solid };
-        assert_eq!(Layout { dimension: 3, terms: solid }.words(), 15);
-        assert_eq!(Layout { dimension: 3, terms: gas }.words(), 10);
-        assert_eq!(Layout { dimension: 2, terms: gas }.words(), 8);
-        let balanced = Terms { no_torque: true, ..solid };
-        assert_eq!([2, 3].map(|dimension| Layout { dimension, terms: balanced }.words()), [10, 16]);
-        let tensile = Terms { artificial_stress: true, ..balanced };
-        assert_eq!(Layout { dimension: 3, terms: tensile }.words(), 19);
+        let gas = StressTerm::Pressure { gradient: PressureGradient::Corrected { contrast: false } };
+        assert_eq!(words(3, tensor(false, false)), 15);
+        assert_eq!([2, 3].map(|dimension| words(dimension, gas)), [8, 10]);
+        assert_eq!([2, 3].map(|dimension| words(dimension, tensor(false, true))), [10, 16]);
+        assert_eq!(words(3, tensor(true, true)), 19);
     }
 }

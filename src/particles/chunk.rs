@@ -6,10 +6,15 @@ use std::arch::x86_64::{_MM_HINT_T1, _mm_prefetch};
 use std::cell::Cell;
 use std::ops::Range;
 
-use super::columns::{Column, Columns, Element};
+use super::columns::{Column, Columns, Element, Values};
 
 /// Particles per chunk.
 pub const CHUNK: usize = 256;
+
+/// Chunk number `chunk` of `count` particles.
+pub fn chunk_range(chunk: usize, count: usize) -> Range<usize> {
+    chunk * CHUNK..((chunk + 1) * CHUNK).min(count)
+}
 
 const WORDS_OF_LINE: usize = 8;
 
@@ -77,6 +82,13 @@ impl<'a> Chunk<'a> {
         let (start, width) = self.pointers[index];
         // SAFETY: `Chunks::chunk` hands out ranges inside the column; its caller keeps them disjoint.
         unsafe { std::slice::from_raw_parts(start.add(self.range.start * width).cast(), self.range.len() * width) }
+    }
+}
+
+impl Values for Chunk<'_> {
+    #[inline]
+    fn value<T: Element>(&self, column: Column<T>, i: usize) -> T {
+        self.view(column).get(i)
     }
 }
 

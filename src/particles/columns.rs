@@ -10,6 +10,7 @@ use rayon::prelude::*;
 use super::id::ParticleId;
 use super::large_pages::prefer_large_pages;
 use super::order::Reordering;
+use crate::error::{Error, Result};
 use crate::math::{Deviator, Vec3};
 
 /// What a column holds per particle.
@@ -37,10 +38,19 @@ impl Shape {
 /// How long a column's content matters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Life {
-    /// Part of the state: kept in checkpoints, counted in the state hash.
+    /// Part of the state that a step changes: kept in checkpoints, counted in the state hash, and set back where a step is refused.
     State,
+    /// The same, but no step moves it on: what stays for good, and what evaluations and list builds leave for those to come.
+    Kept,
     /// Follows from the state; moves with the particle, is not kept.
     Scratch,
+}
+
+impl Life {
+    /// Whether it is kept in checkpoints and counted in the state hash.
+    pub fn is_state(self) -> bool {
+        self != Life::Scratch
+    }
 }
 
 /// A column as its owner declares it.
@@ -70,12 +80,11 @@ impl<T> Clone for Column<T> {
 }
 impl<T> Copy for Column<T> {}
 
-/// A state column and the rate that the integrator advances it with.
+/// A state column that the integrator moves on by its rate.
 #[derive(Debug)]
 pub struct Integrated<T> {
     pub value: Column<T>,
-    pub rate: Column<T>,
-    /// Number among the integrated columns; new rates stand there in a chunk's workspace.
+    /// Number among the integrated columns; its rate stands there in [`Rates`](super::Rates).
     pub slot: usize,
 }
 
@@ -156,11 +165,23 @@ impl Element for Deviator {
     }
 }
 
+/// Columns that can be read particle by particle: all of a rank, or a chunk's.
+pub trait Values {
+    fn value<T: Element>(&self, column: Column<T>, i: usize) -> T;
+}
+
+impl Values for Columns {
+    #[inline]
+    fn value<T: Element>(&self, column: Column<T>, i: usize) -> T {
+        self.get(column, i)
+    }
+}
+
 /// A column in the registry.
 #[derive(Debug, Clone)]
 pub struct Entry {
     pub info: ColumnInfo,
-    /// Name in files: the declared one, with `_rate` for the rate of an integrated column.
+    /// Name in files: the declared one, with what an integrator adds to the names of its own columns.
     pub name: String,
     pub shape: Shape,
     /// 64-bit words per particle.
@@ -174,8 +195,8 @@ pub struct Entry {
 pub struct Registry {
     pub dimension: usize,
     pub entries: Vec<Entry>,
-    /// (value column, rate column) of every integrated quantity.
-    pub integrated: Vec<(usize, usize)>,
+    /// Index of every integrated column.
+    pub integrated: Vec<usize>,
     owner: &'static str,
 }
 
@@ -194,13 +215,18 @@ impl Registry {
         self.push::<T>(info, info.name.to_string())
     }
 
-    /// A state column advanced by a rate; the rate is state too, as the predictor starts from it.
+    /// A state column that the integrator moves on by its rate.
     pub fn integrated<T: Element>(&mut self, info: ColumnInfo) -> Integrated<T> {
         let value = self.push::<T>(info, info.name.to_string());
-        let rate_info = ColumnInfo { life: Life::State, snapshot: false, ..info };
-        let rate = self.push::<T>(rate_info, format!("{}_rate", info.name));
-        self.integrated.push((value.index, rate.index));
-        Integrated { value, rate, slot: self.integrated.len() - 1 }
+        self.integrated.push(value.index);
+        Integrated { value, slot: self.integrated.len() - 1 }
+    }
+
+    /// A column of the shape of column `index`, whose name it takes with `suffix`; never in snapshots. Returns its index.
+    pub fn like(&mut self, index: usize, suffix: &str, life: Life) -> usize {
+        let Entry { info, ref name, shape, width, .. } = self.entries[index];
+        let (name, info) = (format!("{name}{suffix}"), ColumnInfo { life, snapshot: false, ..info });
+        self.add(Entry { info, name, shape, width, owner: self.owner })
     }
 
     /// The column another effect declared, if this scene has it.
@@ -210,16 +236,27 @@ impl Registry {
         Some(Column { index, element: PhantomData })
     }
 
+    /// The same, where `who` cannot do without it.
+    pub fn need<T: Element>(&self, who: &str, name: &str) -> Result<Column<T>> {
+        let missed = || Error::new(format!("{who} needs the column {name}, which nothing in this scene has"));
+        self.find(name).ok_or_else(missed)
+    }
+
     /// Bytes of columns per particle.
     pub fn bytes_per_particle(&self) -> usize {
         self.entries.iter().map(|e| 8 * e.width).sum()
     }
 
     fn push<T: Element>(&mut self, info: ColumnInfo, name: String) -> Column<T> {
-        assert!(self.entries.iter().all(|e| e.name != name), "column {name} declared twice");
         let width = T::SHAPE.words(self.dimension);
-        self.entries.push(Entry { info, name, shape: T::SHAPE, width, owner: self.owner });
-        Column { index: self.entries.len() - 1, element: PhantomData }
+        let index = self.add(Entry { info, name, shape: T::SHAPE, width, owner: self.owner });
+        Column { index, element: PhantomData }
+    }
+
+    fn add(&mut self, entry: Entry) -> usize {
+        assert!(self.entries.iter().all(|e| e.name != entry.name), "column {} declared twice", entry.name);
+        self.entries.push(entry);
+        self.entries.len() - 1
     }
 }
 

@@ -9,10 +9,12 @@ pub mod large_pages;
 pub mod local;
 pub mod order;
 pub mod periods;
+pub mod rates;
 
 pub use cells::{Lattice, Place, Site};
 pub use chunk::{Chunk, View};
-pub use columns::{Column, ColumnInfo, Columns, Element, Integrated, Life, Registry, Shape};
+pub use columns::{Column, ColumnInfo, Columns, Element, Integrated, Life, Registry, Shape, Values};
 pub use id::ParticleId;
 pub use local::Local;
 pub use periods::Periods;
+pub use rates::Rates;

@@ -1,4 +1,4 @@
-//! Faults on demand, for tests: `SPH_MPI_FAULT=KIND:RANK:STEP` strikes on that rank in that step. Costs one comparison per step.
+//! Faults on demand, for tests: `SPH_MPI_FAULT=KIND:RANK:STEP` happens on that rank in that step. Costs one comparison per step.
 //!
 //! - `panic` panics there, `pool` on the other threads of the rank's pool, `kill` ends the process without a word;
 //! - `stop` behaves as if SIGTERM had come;
@@ -45,9 +45,9 @@ enum Kind {
     KillBeforeRename,
 }
 
-/// What a fault wants of the run.
+/// What a fault requests of the run.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Asks {
+pub enum Trigger {
     Nothing,
     Checkpoint,
     Stop,
@@ -105,9 +105,9 @@ impl Fault {
         (self.kind == Some(Kind::Nan)).then(|| Box::new(poison()) as Box<dyn MaterialEffect>)
     }
 
-    /// Strikes when its step has come.
-    pub fn strike(&self, step: u64) -> Asks {
-        let Some(kind) = self.kind.filter(|_| self.mine && step == self.step) else { return Asks::Nothing };
+    /// What happens in a step: the fault itself, where it is of this step, or what it requests.
+    pub fn trigger(&self, step: u64) -> Trigger {
+        let Some(kind) = self.kind.filter(|_| self.mine && step == self.step) else { return Trigger::Nothing };
         match kind {
             Kind::Panic => panic!("a panic was asked for at step {step}"),
             Kind::Pool => {
@@ -115,7 +115,7 @@ impl Fault {
             }
             // SAFETY: ends this process.
             Kind::Kill => drop(unsafe { libc::raise(libc::SIGKILL) }),
-            Kind::Stop => return Asks::Stop,
+            Kind::Stop => return Trigger::Stop,
             Kind::Nan => self.poisoned.store(true, Ordering::Relaxed),
             Kind::Memory => drop(std::hint::black_box(Vec::<u8>::with_capacity(isize::MAX as usize))),
             Kind::Full | Kind::FullInCheckpoint => {
@@ -128,7 +128,7 @@ impl Fault {
             Kind::KillBeforeRename => moment::arm(Moment::Written, libc::SIGKILL),
         }
         let elsewhere = [Kind::Panic, Kind::Pool, Kind::Kill, Kind::Stop, Kind::Nan, Kind::Memory, Kind::Full];
-        if elsewhere.contains(&kind) { Asks::Nothing } else { Asks::Checkpoint }
+        if elsewhere.contains(&kind) { Trigger::Nothing } else { Trigger::Checkpoint }
     }
 }
 
@@ -139,8 +139,8 @@ struct Poison {
 }
 
 impl MaterialEffect for Poison {
-    fn declare(_setup: &Setup, _registry: &mut Registry, _core: &Core) -> Option<Self> {
-        None
+    fn declare(_setup: &Setup, _registry: &mut Registry, _core: &Core) -> Result<Option<Self>> {
+        Ok(None)
     }
 
     fn name(&self) -> &'static str {
@@ -149,7 +149,7 @@ impl MaterialEffect for Poison {
 
     fn rates(&self, local: &Local) {
         if local.chunk.range.start == 0 && self.poisoned.load(Ordering::Relaxed) {
-            local.new_rate(self.density).set(0, f64::NAN);
+            local.rate(self.density).set(0, f64::NAN);
         }
     }
 }
@@ -161,8 +161,11 @@ mod tests {
     #[test]
     fn a_fault_strikes_on_its_rank_in_its_step() {
         let fault = Fault::parse("stop:1:7", 1).unwrap();
-        assert_eq!((fault.strike(6), fault.strike(7), fault.strike(8)), (Asks::Nothing, Asks::Stop, Asks::Nothing));
-        assert_eq!(Fault::parse("stop:1:7", 0).unwrap().strike(7), Asks::Nothing);
+        assert_eq!(
+            (fault.trigger(6), fault.trigger(7), fault.trigger(8)),
+            (Trigger::Nothing, Trigger::Stop, Trigger::Nothing)
+        );
+        assert_eq!(Fault::parse("stop:1:7", 0).unwrap().trigger(7), Trigger::Nothing);
         assert!(Fault::parse("nonsense:1:7", 0).is_none() && Fault::parse("stop:1", 0).is_none());
     }
 }

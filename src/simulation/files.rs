@@ -7,7 +7,7 @@ use super::probes;
 use super::report;
 use super::resources;
 use super::run::Run;
-use super::state::Spent;
+use super::state::{Saved, Spent};
 use crate::error::{Error, Result};
 use crate::outcome::vapour::Vapour;
 use crate::outcome::{self, Evaluation, Particle, Question};
@@ -19,7 +19,7 @@ impl<const D: usize> Run<'_, D> {
     pub(super) fn write_history(&mut self) {
         let (limit, reason) = self.stepper.tightest_limit();
         let held = self.stepper.settings.motions.is_some();
-        let mut cells = report::history_row(&self.state, &self.totals, (&limit, reason), (held, D == 2));
+        let mut cells = report::history_row(&self.stepper.state, &self.totals, (&limit, reason), (held, D == 2));
         cells.extend(probes::row(self.scene, &self.stepper, self.comm).into_iter().map(Cell::Real));
         self.limit = (limit, reason);
         tracing::debug!("{}", self.describe());
@@ -33,16 +33,16 @@ impl<const D: usize> Run<'_, D> {
     pub(super) fn particles(&self) -> Vec<Particle> {
         let (columns, settings) = (&self.stepper.columns, &self.stepper.settings);
         let materials = self.scene.bodies.iter().map(|body| &self.scene.materials[body.material]);
-        let vapour = Vapour::new(&columns.registry, &settings.core, materials);
-        let damage = |i, body| vapour.damage(columns, (i, body), settings.packer.damage(columns, i, body));
+        let vapour = Vapour::new(&columns.registry, &settings.view.core, materials);
+        let damage = |i, body| vapour.damage(columns, (i, body), settings.view.damage(columns, i, body));
         let whole: Vec<usize> = self.scene.bodies.iter().enumerate().map(|(n, body)| body.whole(n)).collect();
-        outcome::particles(columns, &settings.core, (&settings.constants, &whole), damage)
+        outcome::particles(columns, &settings.view.core, (&settings.view.constants, &whole), damage)
     }
 
     pub(super) fn evaluate_outcome(&mut self) -> Evaluation {
         self.note_packing();
         let start = Instant::now();
-        self.stepper.rest();
+        self.stepper.release_buffers();
         resources::give_memory_back();
         let evaluation = outcome::evaluate(self.comm, &self.particles(), &self.question());
         self.stepper.phases.add(Phase::Outcome, start);
@@ -74,7 +74,7 @@ impl<const D: usize> Run<'_, D> {
 
     /// One on the way; that of the end comes after what is worth more. Collective.
     pub(super) fn write_snapshot_if_due(&mut self) -> Result<()> {
-        let time = self.state.time;
+        let time = self.stepper.state.time;
         let is_due = |due: Due| due.same(due.next(self.state.snapshot_time, time), time);
         if !self.due().is_some_and(is_due) || self.is_over() {
             return Ok(());
@@ -85,7 +85,7 @@ impl<const D: usize> Run<'_, D> {
     pub(super) fn write_snapshot(&mut self) -> Result<()> {
         let start = Instant::now();
         self.state.snapshots += 1;
-        self.state.snapshot_time = Some(self.state.time);
+        self.state.snapshot_time = Some(self.stepper.state.time);
         let name = snapshot::name(self.state.snapshots);
         let figures = [
             ("energy_drift".to_string(), self.state.conservation.energy_drift()),
@@ -95,9 +95,9 @@ impl<const D: usize> Run<'_, D> {
         let output = &self.scene.output;
         let written = Snapshot {
             columns: &self.stepper.columns,
-            bodies: &self.stepper.settings.constants,
-            time: self.state.time,
-            step: self.state.counters.steps,
+            bodies: &self.stepper.settings.view.constants,
+            time: self.stepper.state.time,
+            step: self.stepper.state.step,
             scene: &self.scene.to_toml(),
             figures: &figures,
             storage: Storage {
@@ -110,7 +110,7 @@ impl<const D: usize> Run<'_, D> {
             tracing::warn!("{name} was not written collectively");
         }
         let series = self.options.directory.join("snapshots.vtkhdf.series");
-        snapshot::extend_series(&series, &name, self.state.time, self.comm)?;
+        snapshot::extend_series(&series, &name, self.stepper.state.time, self.comm)?;
         self.stepper.phases.add(Phase::Output, start);
         Ok(())
     }
@@ -119,12 +119,13 @@ impl<const D: usize> Run<'_, D> {
         let start = Instant::now();
         let mut state = self.state.clone();
         state.spent = self.spent();
+        let saved = Saved { step: &self.stepper.state, counters: &self.stepper.counters, run: &state };
         let meta = CheckpointMeta {
             scene: self.scene.to_toml(),
-            json: serde_json::to_string(&state).map_err(|e| Error::new(e.to_string()))?,
+            json: serde_json::to_string(&saved).map_err(|e| Error::new(e.to_string()))?,
             ..CheckpointMeta::default()
         };
-        let id = self.stepper.settings.core.id;
+        let id = self.stepper.settings.view.core.id;
         checkpoint::write(&self.options.directory, &self.stepper.columns, id, &meta, self.comm)?;
         self.saved = Instant::now();
         self.stepper.phases.add(Phase::Output, start);

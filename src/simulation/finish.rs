@@ -40,7 +40,7 @@ impl Products {
 impl<const D: usize> Run<'_, D> {
     /// The outcome that counts, with its files, unless they are to wait as the run is over. Collective.
     pub(super) fn take_outcome(&mut self) -> Result<()> {
-        self.state.outcome_time = self.state.time;
+        self.state.outcome_time = self.stepper.state.time;
         if !self.scene.hits_ground() {
             let mut evaluation = self.evaluate_outcome();
             let whole = self.scene.bodies.iter().enumerate().filter(|(n, body)| body.whole(*n) == *n);
@@ -87,7 +87,7 @@ impl<const D: usize> Run<'_, D> {
         let source = report::PictureSource {
             scene: self.scene,
             stepper: &self.stepper,
-            time: self.state.time,
+            time: self.stepper.state.time,
             directory: &self.options.directory,
         };
         report::draw_cut(&source, self.comm)
@@ -96,7 +96,7 @@ impl<const D: usize> Run<'_, D> {
     /// Errors against the solution that the scene names; their figures go into the directory that is given. Collective.
     fn errors(&self, directory: Option<&Path>) -> Result<Figures> {
         let Some(comparison) = &self.comparison else { return Ok(Figures::default()) };
-        let noted = (self.state.time, self.state.conservation.angular_momentum, &self.state.vibration[..]);
+        let noted = (self.stepper.state.time, self.state.conservation.angular_momentum, &self.state.vibration[..]);
         comparison.finish(&self.stepper, noted, directory, self.comm)
     }
 
@@ -105,11 +105,11 @@ impl<const D: usize> Run<'_, D> {
     pub(super) fn finish(mut self) -> Result<RunReport> {
         // A run may come back from its last checkpoint for what was not written any more.
         let again = self.state.end.clone();
-        if again.is_none() && self.state.counters.steps % self.scene.output.history_every != 0 {
+        if again.is_none() && self.stepper.state.step % self.scene.output.history_every != 0 {
             self.note_totals()?;
         }
         self.note_packing();
-        let settled_now = self.state.outcome_time == self.state.time;
+        let settled_now = self.state.outcome_time == self.stepper.state.time;
         let at_end = again.as_ref().map_or(!self.state.has_outcome(), |end| end.has_outcome);
         let mut later = None;
         match self.scene.impact.is_some() {
@@ -126,8 +126,8 @@ impl<const D: usize> Run<'_, D> {
             self.state.end = Some(End { has_outcome: at_end, later });
             self.write_checkpoint()
         };
-        let snapshot =
-            self.scene.output.snapshots != Snapshots::Never && self.state.snapshot_time != Some(self.state.time);
+        let snapshot = self.scene.output.snapshots != Snapshots::Never
+            && self.state.snapshot_time != Some(self.stepper.state.time);
         // After a checkpoint that failed, room for a snapshot is not to be had, nor an HDF5 that can be relied on.
         let there = again && !self.lacks(&[&snapshot::name(self.state.snapshots + 1)]);
         let snapshot = snapshot && saved.is_ok() && !there;

@@ -222,7 +222,7 @@ mod tests {
             let overrides: Vec<String> = overrides.iter().map(|o| o.to_string()).collect();
             let scene = Scene::parse("impact.toml", text, &overrides).unwrap();
             let constants = scene.bodies.iter().map(|body| body.constants(1000, scene.numerics.eta)).collect();
-            Footprint::new(&scene, &super::super::setup::plan(&scene, constants), ranks)
+            Footprint::new(&scene, &super::super::setup::plan(&scene, constants).expect("a plan"), ranks)
         };
         let (solid, fluid) = (footprint(&[], 1), {
             let off = ["material.basalt.fracture=false", "material.basalt.strength=false"];

@@ -14,8 +14,8 @@ impl<const D: usize> Run<'_, D> {
     /// The crater as it is now, where the scene hits a flat face. Collective.
     pub(super) fn crater(&self) -> Option<CraterEvaluation> {
         let question = question(self.scene)?;
-        let particles = (&self.stepper.columns, &self.stepper.settings.core);
-        Some(crater::evaluate(self.comm, particles, &self.stepper.settings.constants, &question))
+        let particles = (&self.stepper.columns, &self.stepper.settings.view.core);
+        Some(crater::evaluate(self.comm, particles, &self.stepper.settings.view.constants, &question))
     }
 
     /// ejecta.png, and distention.png of ground with pores; for one rank.

@@ -8,7 +8,7 @@ use crate::gravity::G;
 use crate::outcome::reaccumulated::{Reaccumulated, Remnant};
 use crate::output::summary::Figures;
 use crate::scene::{Body, Scene, Until};
-use crate::step::Failure;
+use crate::step::{Failure, StepState};
 
 impl<const D: usize> Run<'_, D> {
     /// When the late stage begins, s, if that is known and still to come.
@@ -23,7 +23,7 @@ impl<const D: usize> Run<'_, D> {
     pub(super) fn is_late_now(&self) -> bool {
         let Some(stage) = self.scene.late_stage.filter(|_| self.state.late.is_none()) else { return false };
         match stage.at {
-            Until::Time(at) => self.state.time >= at,
+            Until::Time(at) => self.stepper.state.time >= at,
             Until::Settled => self.state.settled.as_ref().is_some_and(|settled| settled.since().is_some()),
         }
     }
@@ -31,12 +31,11 @@ impl<const D: usize> Run<'_, D> {
     /// Begins the late stage. Collective.
     pub(super) fn go_soft(&mut self) -> std::result::Result<(), Failure> {
         let Some(late) = self.scene.late() else { return Ok(()) };
-        let (switch, agreed) = self.stepper.soften(&late)?;
-        let (time, step) = (self.state.time, self.state.counters.steps);
-        let start = LateStart { time, step, switch, dt: [self.state.dt, agreed.dt] };
+        let before = self.stepper.state.next;
+        let switch = self.stepper.soften(&late)?;
+        let StepState { time, step, next, .. } = self.stepper.state;
+        let start = LateStart { time, step, switch, dt: [before, next] };
         self.state.conservation.shift_energy(switch.energy_jump);
-        self.state.dt = agreed.dt;
-        self.state.counters = self.stepper.counters;
         self.state.late = Some(start);
         tracing::info!(
             "late stage from t = {time:.4e} s, step {step}: steps {:.1} times as long; mean pressure {:.2e} Pa -> {:.2e} Pa, largest {:.2e} Pa -> {:.2e} Pa; \
@@ -54,7 +53,7 @@ impl<const D: usize> Run<'_, D> {
 
     /// Looks at the largest remnant where that is due; takes the outcome once it stays as it is. Collective.
     pub(super) fn watch_remnant(&mut self) -> Result<()> {
-        let time = self.state.time;
+        let time = self.stepper.state.time;
         if self.state.has_outcome() || self.state.reaccumulated.as_ref().is_some_and(|looks| !looks.is_due(time)) {
             return Ok(());
         }
@@ -70,7 +69,7 @@ impl<const D: usize> Run<'_, D> {
             remnant.kinetic / remnant.binding
         );
         if is_over {
-            tracing::info!("reaccumulated at t = {time:.4e} s, step {}", self.state.counters.steps);
+            tracing::info!("reaccumulated at t = {time:.4e} s, step {}", self.stepper.state.step);
             self.take_outcome()?;
         }
         Ok(())

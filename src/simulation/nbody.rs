@@ -13,12 +13,12 @@ impl<const D: usize> Run<'_, D> {
     /// Makes `nbody.csv` and `nbody.bin` where the scene asks for them; what they hold and leave out, in figures. Collective.
     pub(super) fn nbody(&mut self) -> Option<Figures> {
         let asked = self.scene.nbody?;
-        self.stepper.rest();
+        self.stepper.release_buffers();
         let particles = self.particles();
         let choice = Choice { smallest: asked.smallest, most: asked.most };
         let (bodies, left_out) = spheres(self.comm, &particles, &choice);
         let step = STEP * free_fall_time(self.scene);
-        let binary = archive(self.state.time, step, &bodies);
+        let binary = archive(self.stepper.state.time, step, &bodies);
         self.products.tables.extend([("nbody.csv", table(&bodies).into_bytes()), ("nbody.bin", binary)]);
         let mut number = [bodies.len() as i64];
         self.comm.all_sum(&mut number);

@@ -32,7 +32,7 @@ pub fn row<const D: usize>(scene: &Scene, stepper: &Stepper<D>, comm: &Comm) -> 
     if scene.probes.is_empty() {
         return Vec::new();
     }
-    let (columns, core) = (&stepper.columns, &stepper.settings.core);
+    let (columns, core) = (&stepper.columns, &stepper.settings.view.core);
     let distention = columns.registry.find::<f64>(DISTENTION);
     let mut sums = vec![ExactSum::new(); SUMS * scene.probes.len()];
     for i in 0..columns.len() {
@@ -40,7 +40,7 @@ pub fn row<const D: usize>(scene: &Scene, stepper: &Stepper<D>, comm: &Comm) -> 
         let body = &scene.bodies[id.body()];
         let site = body.lattice.position(id.site());
         let start = std::array::from_fn(|k| body.centre[k] + site[k]);
-        let m = stepper.settings.constants[id.body()].particle_mass;
+        let m = stepper.settings.view.constants[id.body()].particle_mass;
         let volume = m / columns.get(core.density.value, i);
         let pores = distention.map_or(0.0, |alpha| columns.get(alpha, i) - 1.0);
         let shares = [volume, volume * columns.get(core.pressure, i), m, m * pores, m * pores * pores];

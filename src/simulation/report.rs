@@ -18,7 +18,7 @@ use crate::scene::Scene;
 use crate::step::packing::Packing;
 use crate::step::phases::{NAMES, Phase};
 use crate::step::time_step::Limit;
-use crate::step::{Stepper, Totals};
+use crate::step::{StepState, Stepper, Totals};
 use crate::warning;
 
 /// Names and units of history.csv.
@@ -63,15 +63,15 @@ pub fn history_columns(effects: &[Box<dyn MaterialEffect>], prescribed: bool, sc
 
 /// One row of history.csv.
 pub fn history_row(
-    state: &RunState,
+    state: &StepState,
     totals: &Totals,
     (limit, reason): (&Limit, &str),
     (prescribed, planar): (bool, bool),
 ) -> Vec<Cell> {
     let mut cells = vec![
-        Cell::Integer(state.counters.steps),
+        Cell::Integer(state.step),
         Cell::Real(state.time),
-        Cell::Real(state.dt),
+        Cell::Real(state.next),
         Cell::Text(reason.to_string()),
         Cell::Integer(limit.id.body() as u64),
         Cell::Integer(limit.id.site()),
@@ -113,7 +113,7 @@ pub fn draw_cut<const D: usize>(source: &PictureSource<D>, comm: &Comm) -> Resul
         ejected: scene.outcome.map(|asked| (up, asked.ejection_speed)),
         distention: scene.bodies.iter().fold(1.0, |most: f64, body| most.max(body.distention)),
     };
-    let particles = (&source.stepper.columns, &source.stepper.settings.constants[..]);
+    let particles = (&source.stepper.columns, &source.stepper.settings.view.constants[..]);
     cut::draw(&source.directory.join("outcome.png"), &picture, particles, comm)
 }
 
@@ -159,12 +159,14 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
     let spent = &report.spent;
     let core_seconds = spent.cpu.max(1e-9);
     let conservation = &state.conservation;
+    let beside = serde_json::to_string(&stepper.state).unwrap_or_default();
     let mut summary = Summary {
         title: report.scene.title.clone(),
         version: env!("CARGO_PKG_VERSION").to_string(),
-        state_hash: state_hash(&stepper.columns, stepper.settings.core.id, comm),
-        time: state.time,
-        steps: state.counters.steps,
+        state_hash: state_hash(&stepper.columns, stepper.settings.view.core.id, beside.as_bytes(), comm),
+        step_state: serde_json::to_value(&stepper.state).unwrap_or_default(),
+        time: stepper.state.time,
+        steps: stepper.state.step,
         particles: particles as u64,
         ranks: comm.size(),
         threads_per_rank: threads as usize / comm.size(),
@@ -185,10 +187,10 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         phases: phase_shares(stepper, comm),
         effects: effect_shares(stepper, comm),
         ghost_fraction: ghosts / particles,
-        exchanged_bytes_per_step: bytes / state.counters.steps.max(1) as f64,
+        exchanged_bytes_per_step: bytes / stepper.state.step.max(1) as f64,
         imbalance: stepper.imbalance(),
-        list_builds: state.counters.list_builds,
-        rebisections: state.counters.rebisections,
+        list_builds: stepper.counters.list_builds,
+        rebisections: stepper.counters.rebisections,
         migrated_particles: spent.migrated,
         errors: report.errors.clone(),
         late_stage: state.late.as_ref().map(|start| late::figures(start, conservation.energy_scale)),
@@ -380,8 +382,6 @@ pub fn print(summary: &Summary, (crater, said): (Option<&Crater>, usize), direct
 mod tests {
     use super::*;
     use crate::particles::ParticleId;
-    use crate::simulation::state::Conservation;
-    use crate::step::Counters;
 
     /// A row by the names of its columns.
     fn row(dimension: usize, prescribed: bool) -> Vec<(String, Cell)> {
@@ -391,12 +391,7 @@ mod tests {
             vec![1.0; dimension]
         );
         let scene = Scene::parse("s.toml", &text, &[]).unwrap();
-        let state = serde_json::json!({
-            "time": 1.5, "dt": 0.25, "counters": Counters { steps: 7, ..Counters::default() },
-            "conservation": Conservation::default(), "snapshots": 0, "settled": null, "outcome": null,
-            "outcome_time": 0.0, "spent": Spent::default(),
-        });
-        let state: RunState = serde_json::from_value(state).expect("a state as checkpoints have it");
+        let state = StepState { step: 7, time: 1.5, next: 0.25, ..StepState::default() };
         let totals = Totals {
             kinetic: 11.0,
             internal: 12.0,

@@ -48,14 +48,14 @@ impl<const D: usize> Run<'_, D> {
         }
         (self.state.outcome, self.state.crater) = found;
         let path = self.options.directory.join("summary.json");
-        let steps = self.state.counters.steps;
-        let matches = |summary: &Summary| (summary.steps, summary.time) == (steps, self.state.time);
+        let steps = self.stepper.state.step;
+        let matches = |summary: &Summary| (summary.steps, summary.time) == (steps, self.stepper.state.time);
         let summary = Summary::read(&path, self.comm).filter(matches);
         let Some(summary) = summary.filter(|_| self.has_its_files()) else { return Ok(None) };
         tracing::info!(
             "the run has ended before, at t = {:.4e} s, step {steps}: nothing is done; a later end (run.until, run.max_time, \
              run.steps) takes it further",
-            self.state.time
+            self.stepper.state.time
         );
         Ok(Some(RunReport { ended: Ended::Finished, summary, outcome: self.state.outcome.clone(), later: end.later }))
     }
@@ -69,7 +69,10 @@ impl<const D: usize> Run<'_, D> {
             ("outcome.png", scene.output.picture),
             ("fragments.csv", scene.impact.is_some() && !scene.hits_ground()),
             ("nbody.csv", scene.nbody.is_some()),
-            (&last, scene.output.snapshots != Snapshots::Never && self.state.snapshot_time != Some(self.state.time)),
+            (
+                &last,
+                scene.output.snapshots != Snapshots::Never && self.state.snapshot_time != Some(self.stepper.state.time),
+            ),
         ];
         let wanted: Vec<&str> = wanted.into_iter().filter(|(_, wanted)| *wanted).map(|(name, _)| name).collect();
         !self.lacks(&wanted)
@@ -93,7 +96,10 @@ impl<const D: usize> Run<'_, D> {
         };
         agree(self.comm, if self.comm.is_root() { keep() } else { Ok(()) })?;
         self.state.end = None;
-        tracing::info!("the run had ended at t = {:.4e} s and goes on; what it found is now in {to}", self.state.time);
+        tracing::info!(
+            "the run had ended at t = {:.4e} s and goes on; what it found is now in {to}",
+            self.stepper.state.time
+        );
         Ok(())
     }
 }

@@ -6,7 +6,7 @@ use std::time::Instant;
 use super::collapse::Collapse;
 use super::compare::Comparison;
 use super::due;
-use super::faults::{Asks, Fault};
+use super::faults::{Fault, Trigger};
 use super::finish::Products;
 use super::footprint::Footprint;
 use super::late::free_fall_time;
@@ -17,7 +17,7 @@ use super::resources;
 use super::restart;
 use super::setup;
 use super::signals;
-use super::state::{Conservation, RunState, Spent};
+use super::state::{Conservation, Restored, RunState, Spent};
 use super::warnings;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
@@ -30,7 +30,7 @@ use crate::particles::ParticleId;
 use crate::scene::{Scene, Until};
 use crate::step::packing::Packing;
 use crate::step::time_step::Limit;
-use crate::step::{Failure, Stepper, Totals};
+use crate::step::{Counters, Failure, Stepper, Totals};
 use crate::warning;
 
 /// How a run is to be done; the scene says what.
@@ -64,9 +64,9 @@ pub struct RunReport {
     pub later: Option<Outcome>,
 }
 
-/// What ranks may ask for after a step; the largest wish counts.
-const WANTS_CHECKPOINT: u32 = 1;
-const WANTS_STOP: u32 = 2;
+/// What ranks may request after a step; the largest request counts.
+const CHECKPOINT: u32 = 1;
+const STOP: u32 = 2;
 /// Something failed on one rank alone; all leave together.
 const FAILED: u32 = 3;
 
@@ -123,9 +123,9 @@ impl<'a, const D: usize> Run<'a, D> {
             |plan: &setup::Plan| Footprint::new(scene, plan, comm.size()).require(comm).map_err(|e| e.at(scene.path()));
         // What does not fit by far is not worth being counted.
         if let Some(expected) = setup::expected_particles(scene) {
-            fit(&setup::plan(scene, expected))?;
+            fit(&setup::plan(scene, expected)?)?;
         }
-        let plan = setup::plan(scene, setup::count_particles(scene, comm)?);
+        let plan = setup::plan(scene, setup::count_particles(scene, comm)?)?;
         fit(&plan)?;
         let fault = Fault::of_rank(comm.rank());
         let saved = if options.resume {
@@ -140,20 +140,20 @@ impl<'a, const D: usize> Run<'a, D> {
                 }
                 tracing::info!("going on from {}", saved.path.display());
                 let mut settings = plan.settings(scene);
-                settings.effects.extend(fault.effect(&settings.core));
-                let mut state: RunState = serde_json::from_str(&saved.meta.json)
+                settings.effects.extend(fault.effect(&settings.view.core));
+                let restored: Restored = serde_json::from_str(&saved.meta.json)
                     .map_err(|e| Error::new(format!("its state cannot be read: {e}")))?;
-                if let Some(late) = scene.late().filter(|_| state.late.is_some()) {
+                if let Some(late) = scene.late().filter(|_| restored.run.late.is_some()) {
                     settings.effects.iter_mut().for_each(|effect| effect.soften(&late));
                 }
                 let mut stepper = Stepper::new(comm, saved.columns, settings);
-                stepper.resume();
-                (state.counters.pairs, state.counters.updates, state.counters.migrated) = (0, 0, 0);
-                (stepper, Some(state))
+                stepper.resume(restored.step);
+                stepper.counters = Counters { pairs: 0, updates: 0, migrated: 0, ..restored.counters };
+                (stepper, Some(restored.run))
             }
             None => {
                 let (columns, mut settings) = plan.populate(scene, comm)?;
-                settings.effects.extend(fault.effect(&settings.core));
+                settings.effects.extend(fault.effect(&settings.view.core));
                 (Stepper::new(comm, columns, settings), None)
             }
         };
@@ -161,12 +161,11 @@ impl<'a, const D: usize> Run<'a, D> {
             Some(state) => state,
             None => Self::first_state(scene, &mut stepper)?,
         };
-        stepper.counters = state.counters;
         let totals = stepper.totals();
         let mut columns = report::history_columns(&stepper.settings.effects, stepper.settings.motions.is_some(), scene);
         columns.extend(probes::columns(scene, stepper.columns.registry.find::<f64>(DISTENTION).is_some()));
         let labels: Vec<(&str, &str)> = columns.iter().map(|(name, unit)| (name.as_str(), unit.as_str())).collect();
-        let resumed = (state.counters.steps > 0).then_some(state.counters.steps);
+        let resumed = Some(stepper.state.step).filter(|&step| step > 0);
         let history = History::open(&options.directory.join("history.csv"), &labels, resumed, comm)?;
         let saved = Instant::now();
         Ok(Self {
@@ -194,12 +193,9 @@ impl<'a, const D: usize> Run<'a, D> {
     }
 
     fn first_state(scene: &Scene, stepper: &mut Stepper<'a, D>) -> Result<RunState> {
-        let agreed = stepper.start().map_err(|failure| failure.error(|body| &scene.bodies[body].name))?;
+        stepper.start().map_err(|failure| failure.error(|body| &scene.bodies[body].name))?;
         let first = stepper.totals();
         Ok(RunState {
-            time: 0.0,
-            dt: agreed.dt,
-            counters: stepper.counters,
             conservation: Conservation::new(&first),
             snapshots: 0,
             settled: restart::settling(scene, first.kinetic_in_centre_of_mass()),
@@ -222,21 +218,18 @@ impl<'a, const D: usize> Run<'a, D> {
         let write = || replace_text(&self.options.directory.join("scene.toml"), &self.scene.to_toml());
         agree(self.comm, if self.comm.is_root() { write() } else { Ok(()) })?;
         let mut progress = Progress::new(&self.options.directory.display().to_string(), self.comm.is_root());
-        if self.state.counters.steps == 0 {
+        if self.stepper.state.step == 0 {
             self.sample_vibration();
             self.write_history();
         }
         self.write_snapshot_if_due()?;
         while !self.is_over() {
             let (dt, then) = self.next_step();
-            let agreed = match self.stepper.step(dt, self.wish()) {
-                Ok(agreed) => agreed,
+            let stepped = match self.stepper.step(dt, then, self.request()) {
+                Ok(stepped) => stepped,
                 Err(failure) => return Err(self.go_back(&failure)),
             };
-            self.state.time = then;
-            self.state.dt = agreed.dt;
-            self.state.counters = self.stepper.counters;
-            let steps = self.state.counters.steps;
+            let steps = self.stepper.state.step;
             self.warn_of_collapse();
             if steps % self.scene.output.history_every == 0 {
                 self.note_totals()?;
@@ -248,15 +241,15 @@ impl<'a, const D: usize> Run<'a, D> {
                 return Err(self.go_back(&failure));
             }
             self.write_snapshot_if_due()?;
-            if agreed.signal >= WANTS_CHECKPOINT {
+            if stepped.signal >= CHECKPOINT {
                 let saved = self.write_checkpoint();
                 // What failed before says more than that its consequences do.
                 agree(self.comm, self.failed.take().map_or(Ok(()), Err)).and(saved)?;
             }
-            if agreed.signal >= WANTS_STOP {
+            if stepped.signal >= STOP {
                 self.write_products()?;
                 if self.comm.is_root() {
-                    tracing::warn!("stopped at step {steps}, t = {:e} s; --resume goes on", self.state.time);
+                    tracing::warn!("stopped at step {steps}, t = {:e} s; --resume goes on", self.stepper.state.time);
                 }
                 return Ok(self.report(Ended::Interrupted));
             }
@@ -267,7 +260,7 @@ impl<'a, const D: usize> Run<'a, D> {
 
     /// Seconds of the next step, and the time after it: the last one ends on the dot, and so does one before a snapshot.
     fn next_step(&self) -> (f64, f64) {
-        let (most, time) = (self.state.dt, self.state.time);
+        let (most, time) = (self.stepper.state.next, self.stepper.state.time);
         let stop = self.late_time().into_iter().chain(self.end_time()).fold(f64::INFINITY, f64::min);
         let Some(due) = self.due() else {
             return if stop - time <= most { (stop - time, stop) } else { (most, time + most) };
@@ -296,22 +289,22 @@ impl<'a, const D: usize> Run<'a, D> {
     }
 
     pub(super) fn is_over(&self) -> bool {
-        let steps = self.scene.run.steps.is_some_and(|most| self.state.counters.steps >= most);
-        steps || self.end_time().is_some_and(|end| self.state.time >= end)
+        let steps = self.scene.run.steps.is_some_and(|most| self.stepper.state.step >= most);
+        steps || self.end_time().is_some_and(|end| self.stepper.state.time >= end)
     }
 
-    /// This rank's wish after the coming step; rank 0 keeps the clock.
-    fn wish(&self) -> u32 {
+    /// What this rank requests after the coming step; rank 0 keeps the clock of checkpoints.
+    fn request(&self) -> u32 {
         if self.failed.is_some() {
             return FAILED;
         }
-        let coming = self.state.counters.steps + 1;
-        let asks = self.fault.strike(coming);
-        if asks == Asks::Stop || signals::asked() != 0 || self.last == Some(coming) {
-            return WANTS_STOP;
+        let coming = self.stepper.state.step + 1;
+        let trigger = self.fault.trigger(coming);
+        if trigger == Trigger::Stop || signals::asked() != 0 || self.last == Some(coming) {
+            return STOP;
         }
         let due = self.comm.is_root() && self.saved.elapsed().as_secs_f64() > self.scene.run.checkpoint_every;
-        if due || asks == Asks::Checkpoint { WANTS_CHECKPOINT } else { 0 }
+        if due || trigger == Trigger::Checkpoint { CHECKPOINT } else { 0 }
     }
 
     /// Saves the state that a step failed from. A step writes over that state, and a copy of it would cost every step memory;
@@ -329,7 +322,7 @@ impl<'a, const D: usize> Run<'a, D> {
         drop(self);
         let stop = || -> Result<u64> {
             let mut run = Run::<D>::open(scene, &options, comm)?;
-            let found = run.state.counters.steps;
+            let found = run.stepper.state.step;
             run.last = Some(before);
             Ok(if found < before { run.run_to_end()?.summary.steps } else { found })
         };
@@ -342,7 +335,7 @@ impl<'a, const D: usize> Run<'a, D> {
 
     /// Names the particle that makes the time step collapse.
     fn warn_of_collapse(&mut self) {
-        if let Some(ratio) = self.collapse.note(self.state.dt) {
+        if let Some(ratio) = self.collapse.note(self.stepper.state.next) {
             self.limit = self.stepper.tightest_limit();
             if self.comm.is_root() {
                 tracing::warn!("the time step has collapsed to {ratio:.1e} of the largest: {}", self.describe());
@@ -352,17 +345,17 @@ impl<'a, const D: usize> Run<'a, D> {
 
     pub(super) fn note_totals(&mut self) -> Result<()> {
         self.totals = self.stepper.totals();
-        self.state.conservation.note(&self.totals, self.state.time);
+        self.state.conservation.note(&self.totals, self.stepper.state.time);
         self.sample_vibration();
         self.write_history();
-        let time = self.state.time;
+        let time = self.stepper.state.time;
         let Some(settled) = self.state.settled.as_mut() else { return Ok(()) };
         let before = settled.since().is_some();
         if !settled.update(time, self.totals.internal) {
             return Ok(());
         }
         if !before {
-            tracing::info!("settled at t = {time:.4e} s, step {}", self.state.counters.steps);
+            tracing::info!("settled at t = {time:.4e} s, step {}", self.stepper.state.step);
         }
         if self.scene.reaccumulates() {
             return self.watch_remnant();
@@ -375,7 +368,7 @@ impl<'a, const D: usize> Run<'a, D> {
 
     fn sample_vibration(&mut self) {
         let Some(comparison) = &self.comparison else { return };
-        self.state.vibration.extend(comparison.sample(&self.stepper, self.state.time, self.comm));
+        self.state.vibration.extend(comparison.sample(&self.stepper, self.stepper.state.time, self.comm));
     }
 
     /// Share of the run that is done, for the bar.
@@ -386,19 +379,19 @@ impl<'a, const D: usize> Run<'a, D> {
             (Some(settled), None) => 2.0 * settled.earliest(),
             (None, None) => f64::INFINITY,
         };
-        self.state.time / end
+        self.stepper.state.time / end
     }
 
     pub(super) fn describe(&self) -> String {
-        let state = &self.state;
+        let (state, steps) = (&self.state, &self.stepper.state);
         let (limit, reason) = &self.limit;
         let [x, y, z] = limit.position;
         format!(
             "t {:.3e} s, step {}, energy drift {:.1e}, dt {:.2e} s by {reason} of {} {} at ({x:.3e}, {y:.3e}, {z:.3e}) m",
-            state.time,
-            state.counters.steps,
+            steps.time,
+            steps.step,
             state.conservation.energy_drift(),
-            state.dt,
+            steps.next,
             self.scene.bodies.get(limit.id.body()).map_or("", |body| &body.name),
             limit.id.site(),
         )

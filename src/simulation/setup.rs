@@ -8,31 +8,31 @@ use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::gravity::{self, Attraction, G, OwnGravity};
 use crate::kernel::{CubicSpline, Shape};
-use crate::material::{self, BodyConstants, Core, MaterialEffect, Setup};
+use crate::material::{self, BodyConstants, MaterialEffect, ParticleView, Setup};
 use crate::math::{ExactSum, Vec3};
 use crate::motion::Motions;
 use crate::pair::artificial_stress;
-use crate::pair::record::Viscosity;
+use crate::pair::record::{PressureGradient, StressTerm, TensorGradient, ViscousTerm};
 use crate::pair::rows::Constants;
 use crate::pair::{PairLoop, Terms};
 use crate::particles::{Column, Columns, ParticleId, Registry};
 use crate::scene::hydrostatic::Pressed;
 use crate::scene::{Blast, Body, Flow, Scene, SmoothingLength, Start};
+use crate::step::StepSettings;
 use crate::step::diagnostics::sum_over_ranks;
-use crate::step::pack::{BodyTraits, Moments, PackSettings, Packer};
-use crate::step::stepper::StepSettings;
+use crate::step::integrator::{Integrator, Scheme};
+use crate::step::pack::{Moments, Packer};
 
 /// What a scene needs, before any particle exists.
 pub struct Plan {
     pub registry: Registry,
-    pub core: Core,
+    pub view: ParticleView,
     pub effects: Vec<Box<dyn MaterialEffect>>,
+    pub integrator: Box<dyn Integrator>,
     pub terms: Terms,
     pub constants: Vec<BodyConstants>,
     pub motions: Option<Motions>,
     pub gravity: Option<Attraction>,
-    /// alpha and beta of each body's material.
-    viscosity: Vec<(f64, f64)>,
 }
 
 /// Particles from which on what a body's volume says is as good as a count.
@@ -66,7 +66,10 @@ pub fn count_particles(scene: &Scene, comm: &Comm) -> Result<Vec<BodyConstants>>
 }
 
 /// Declares columns and effects for bodies with these constants.
-pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Plan {
+///
+/// # Errors
+/// Where an effect misses what it needs.
+pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Result<Plan> {
     let mut registry = Registry::new(scene.dimension);
     let body_material: Vec<usize> = scene.bodies.iter().map(|body| body.material).collect();
     let initial_damage: Vec<f64> = scene.bodies.iter().map(|body| body.damage).collect();
@@ -85,7 +88,8 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Plan {
         records: scene.record,
         smoothing_length,
     };
-    let (core, effects) = material::effects(&setup, &mut registry);
+    let (core, effects) = material::effects(&setup, &mut registry).map_err(|e| e.at(scene.path()).bad_input())?;
+    let view = ParticleView::new(&setup, &registry, core);
     let masses = constants.iter().map(|body| body.particle_mass).collect();
     let motions = Motions::declare(
         scene.bodies.iter().map(|body| body.motion).collect(),
@@ -101,28 +105,38 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Plan {
             OwnGravity::declare(&mut registry, own.accuracy, own.interval * free_fall_time(densest))
         }),
     });
-    let coefficients = |&m: &usize| scene.materials[m].viscosity_coefficients().map_or((0.0, 0.0), |[a, b]| (a, b));
-    let viscosity: Vec<(f64, f64)> = body_material.iter().map(coefficients).collect();
-    let tensile = scene.numerics.artificial_stress.is_some();
-    let tensor = tensile || scene.materials.iter().any(|m| m.has_strength());
-    // Pressure alone pulls along the line between two particles.
-    let no_torque = scene.numerics.angular_momentum && tensor;
-    if no_torque {
+    let terms = terms(scene, &view);
+    if terms.angular_momentum() {
         Moments::declare(&mut registry);
     }
-    let terms = Terms {
-        tensor,
-        viscosity: match (scene.numerics.viscosity, viscosity.windows(2).all(|pair| pair[0].1 == pair[1].1)) {
-            (false, _) => Viscosity::Off,
-            (true, true) => Viscosity::SameBeta,
-            (true, false) => Viscosity::OwnBeta,
+    let integrator = Scheme::default().declare(&mut registry, &core);
+    Ok(Plan { registry, view, effects, integrator, terms, constants, motions, gravity })
+}
+
+/// The terms of the pair loop.
+fn terms(scene: &Scene, view: &ParticleView) -> Terms {
+    let numerics = &scene.numerics;
+    let artificial = numerics.artificial_stress.is_some();
+    let (corrected, contrast) = (numerics.corrected_gradient, numerics.density_contrast);
+    // Pressure alone pulls along the line between two particles.
+    let angular_momentum = numerics.angular_momentum;
+    let tensor = artificial || scene.materials.iter().any(|m| m.has_strength());
+    let betas: Vec<f64> = (0..scene.bodies.len()).map(|body| view.viscosity(body).beta).collect();
+    Terms {
+        stress: match (tensor, corrected) {
+            (false, false) => StressTerm::Pressure { gradient: PressureGradient::Plain },
+            (false, true) => StressTerm::Pressure { gradient: PressureGradient::Corrected { contrast } },
+            (true, false) => StressTerm::Tensor { artificial, gradient: TensorGradient::Plain },
+            (true, true) => {
+                StressTerm::Tensor { artificial, gradient: TensorGradient::Corrected { contrast, angular_momentum } }
+            }
         },
-        artificial_stress: tensile,
-        correction: scene.numerics.corrected_gradient,
-        no_torque,
-        contrast: scene.numerics.density_contrast,
-    };
-    Plan { registry, core, effects, terms, constants, motions, gravity, viscosity }
+        viscosity: match (numerics.viscosity, betas.windows(2).all(|pair| pair[0] == pair[1])) {
+            (false, _) => ViscousTerm::Off,
+            (true, true) => ViscousTerm::SameBeta,
+            (true, false) => ViscousTerm::OwnBeta,
+        },
+    }
 }
 
 /// Whether uniform gravity acts along a period.
@@ -139,10 +153,10 @@ pub fn free_fall_time(density: f64) -> f64 {
 impl Plan {
     /// New particles of this rank's share of every body, and how to step them.
     pub fn populate(self, scene: &Scene, comm: &Comm) -> Result<(Columns, StepSettings)> {
-        let core = self.core;
+        let core = self.view.core;
         let mut columns = Columns::new(self.registry.clone());
         let internal_energy = self.registry.find::<f64>("internal_energy");
-        let damage = self.registry.find::<f64>(material::fracture::DAMAGE);
+        let damage = self.registry.find::<f64>(material::damage::DAMAGE);
         for (number, body) in scene.bodies.iter().enumerate() {
             let mode = match body.flow {
                 Some(Flow::Mode { shape, speed }) => Some((modes::Shape::new(scene, body, shape)?, speed)),
@@ -200,39 +214,25 @@ impl Plan {
     /// How to step particles that come from a checkpoint.
     pub fn settings(self, scene: &Scene) -> StepSettings {
         let numerics = &scene.numerics;
-        let packer = Packer::new(
-            &self.registry,
-            self.core,
-            PackSettings {
-                terms: self.terms,
-                constants: self.constants.clone(),
-                bodies: scene
-                    .bodies
-                    .iter()
-                    .zip(&self.viscosity)
-                    .map(|(body, pair)| traits(scene, body, *pair))
-                    .collect(),
-                artificial_stress_factor: numerics.artificial_stress.map_or(0.0, |a| a.factor),
-                eta: numerics.eta,
-            },
-        );
         // Of the coarsest lattice, as measured by its smoothing length.
         let in_spacings =
             |(body, constants): (&Body, &BodyConstants)| constants.smoothing_length / body.lattice.spacing;
         let h = scene.bodies.iter().zip(&self.constants).map(in_spacings).fold(f64::INFINITY, f64::min);
         let constants = Constants {
-            beta: self.viscosity[0].1,
+            beta: self.view.viscosity(0).beta,
             artificial_reference: artificial_stress::reference(numerics.kernel, h),
         };
+        let pair_loop = PairLoop::new(scene.dimension, self.terms, numerics.kernel, constants);
+        let epsilon = numerics.artificial_stress.map_or(0.0, |artificial| artificial.factor);
         StepSettings {
-            core: self.core,
+            packer: Packer::new(&self.registry, &self.view, pair_loop.layout(), epsilon, numerics.eta),
+            view: self.view,
             effects: self.effects,
-            constants: self.constants,
-            packer,
+            integrator: self.integrator,
             motions: self.motions,
             gravity: self.gravity,
             periods: scene.periods,
-            pair_loop: PairLoop::new(scene.dimension, self.terms, numerics.kernel, constants),
+            pair_loop,
             cfl: numerics.cfl,
             skin: numerics.skin,
         }
@@ -267,14 +267,4 @@ fn heat(
 pub fn share(count: u64, comm: &Comm) -> Range<u64> {
     let part = |rank: usize| (count as u128 * rank as u128 / comm.size() as u128) as u64;
     part(comm.rank())..part(comm.rank() + 1)
-}
-
-fn traits(scene: &Scene, body: &Body, viscosity: (f64, f64)) -> BodyTraits {
-    let material = &scene.materials[body.material];
-    BodyTraits {
-        viscosity,
-        by_loading: material.has_loading_speed(),
-        friction: material.has_friction(),
-        fixed_damage: (!material.has_fracture()).then_some(body.damage),
-    }
 }

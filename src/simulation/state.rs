@@ -8,7 +8,7 @@ use crate::outcome::crater::Crater;
 use crate::outcome::reaccumulated::Reaccumulated;
 use crate::outcome::settled::Settled;
 use crate::step::late::Switch;
-use crate::step::{Counters, Totals};
+use crate::step::{Counters, StepState, Totals};
 
 /// Motion is spent where less than this share of the scale of energy is left of it.
 const SPENT: f64 = 1e-3;
@@ -85,14 +85,9 @@ impl Conservation {
     }
 }
 
-/// Time and everything that must survive a restart.
+/// What a run has found so far, as a checkpoint keeps it beside the state of its steps.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct RunState {
-    /// s.
-    pub time: f64,
-    /// The next step, s.
-    pub dt: f64,
-    pub counters: Counters,
     pub conservation: Conservation,
     /// Snapshots written.
     pub snapshots: u32,
@@ -122,6 +117,22 @@ pub struct RunState {
     pub end: Option<End>,
     /// Wall time, processor time and MPI waits of all ranks before the last restart, s.
     pub spent: Spent,
+}
+
+/// What a checkpoint holds beside the columns, as it is written.
+#[derive(Serialize)]
+pub struct Saved<'a> {
+    pub step: &'a StepState,
+    pub counters: &'a Counters,
+    pub run: &'a RunState,
+}
+
+/// The same, as it is read.
+#[derive(Deserialize)]
+pub struct Restored {
+    pub step: StepState,
+    pub counters: Counters,
+    pub run: RunState,
 }
 
 /// The end of a run.

@@ -1,12 +1,11 @@
 //! Conserved quantities and what effects report, summed over all particles of all ranks exactly: no order of particles or
 //! ranks can change a bit.
 
+use super::settings::StepSettings;
 use crate::domain::comm::Comm;
-use crate::gravity::Attraction;
-use crate::material::{BodyConstants, Core, MaterialEffect};
+use crate::material::eos::INTERNAL_ENERGY;
 use crate::math::{ExactSum, Vec3};
-use crate::motion::Motions;
-use crate::particles::{Column, Columns};
+use crate::particles::Columns;
 
 /// Sums over all particles.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -58,37 +57,25 @@ impl Totals {
     }
 }
 
-/// What [`totals`] reads.
-pub struct Sources<'a> {
-    pub columns: &'a Columns,
-    pub core: &'a Core,
-    pub constants: &'a [BodyConstants],
-    pub effects: &'a [Box<dyn MaterialEffect>],
-    pub motions: Option<&'a Motions>,
-    pub gravity: Option<&'a Attraction>,
-    /// Seconds since own gravity was evaluated.
-    pub gravity_age: f64,
-    pub internal_energy: Option<Column<f64>>,
-}
-
 /// Sums that every scene has, before those of effects.
 const FIXED: usize = 15;
 
-/// Collective.
-pub fn totals(sources: &Sources, comm: &Comm) -> Totals {
-    let counts: Vec<usize> = sources.effects.iter().map(|effect| effect.diagnostics().len()).collect();
+/// Sums over all particles; `gravity_age`: seconds since the particles' own gravity was evaluated. Collective.
+pub fn totals(columns: &Columns, settings: &StepSettings, gravity_age: f64, comm: &Comm) -> Totals {
+    let StepSettings { view, effects, motions, gravity, .. } = settings;
+    let internal_energy = columns.registry.find::<f64>(INTERNAL_ENERGY);
+    let counts: Vec<usize> = effects.iter().map(|effect| effect.diagnostics().len()).collect();
     let potential = FIXED + counts.iter().sum::<usize>();
-    let mut sums = vec![ExactSum::new(); potential + sources.gravity.is_some() as usize];
-    let columns = sources.columns;
+    let mut sums = vec![ExactSum::new(); potential + gravity.is_some() as usize];
     for i in 0..columns.len() {
-        let body = columns.get(sources.core.id, i).body();
-        let m = sources.constants[body].particle_mass;
-        let (x, v) = (columns.get(sources.core.position, i), columns.get(sources.core.velocity, i));
+        let body = columns.get(view.core.id, i).body();
+        let m = view.constants[body].particle_mass;
+        let (x, v) = (columns.get(view.core.position, i), columns.get(view.core.velocity, i));
         let (p, l) = (m * v, x.cross(&(m * v)));
-        let u = sources.internal_energy.map_or(0.0, |u| columns.get(u, i));
+        let u = internal_energy.map_or(0.0, |u| columns.get(u, i));
         let v2 = v.norm_squared();
         let speed = v2.sqrt();
-        let (work, j) = sources.motions.map_or((0.0, Vec3::zeros()), |motions| {
+        let (work, j) = motions.as_ref().map_or((0.0, Vec3::zeros()), |motions| {
             (columns.get(motions.work.value, i), columns.get(motions.impulse.value, i))
         });
         let fixed = [
@@ -109,11 +96,11 @@ pub fn totals(sources: &Sources, comm: &Comm) -> Totals {
             j.z,
         ];
         fixed.iter().zip(&mut sums).for_each(|(term, sum)| sum.add(*term));
-        if let Some(gravity) = sources.gravity {
-            sums[potential].add(m * gravity.energy(columns, sources.gravity_age, i, &x));
+        if let Some(gravity) = gravity {
+            sums[potential].add(m * gravity.energy(columns, gravity_age, i, &x));
         }
         let mut first = FIXED;
-        for (effect, count) in sources.effects.iter().zip(&counts) {
+        for (effect, count) in effects.iter().zip(&counts) {
             if *count > 0 {
                 effect.diagnose(columns, i, body, m, &mut |number, share| sums[first + number].add(share));
             }
@@ -132,7 +119,7 @@ pub fn totals(sources: &Sources, comm: &Comm) -> Totals {
         work: values[11],
         impulse: Vec3::new(values[12], values[13], values[14]),
         potential: values.get(potential).copied(),
-        weight: sources.gravity.map_or(Vec3::zeros(), |gravity| gravity.uniform * values[0]),
+        weight: gravity.map_or(Vec3::zeros(), |gravity| gravity.uniform * values[0]),
         effects: values[FIXED..potential].to_vec(),
     }
 }

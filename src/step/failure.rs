@@ -1,13 +1,14 @@
-//! A step that could not be made. Numbers that are none are looked for twice in a step: in what the material effects have made
-//! of a particle, before any neighbour hears of it, and in its rates, before they act on it. All ranks then know the same
-//! particle.
+//! A step that could not be made. Non-finite numbers are looked for twice in a stage: in what the material effects have made of a
+//! particle, before it reaches any neighbour, and in its rates, before they act on it. All ranks then know the same particle.
 
-use std::cell::Cell;
-
+use super::settings::StepSettings;
 use crate::domain::comm::Comm;
 use crate::error::Error;
+use crate::material::Local;
 use crate::output::agree;
-use crate::particles::ParticleId;
+use crate::particles::columns::Entry;
+use crate::particles::rates::{finite, words_of};
+use crate::particles::{Chunk, Life, ParticleId, Registry, Shape, View};
 
 /// Why a step could not be made, on all ranks alike.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,19 +20,19 @@ pub struct Failure {
     pub what: String,
 }
 
-/// A particle with a number that is none, and which.
+/// A particle with a non-finite number, and which.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Bad {
+pub struct NonFinite {
     pub id: ParticleId,
     pub what: String,
 }
 
 impl Failure {
     /// The failure of the particle with the smallest id that any rank has found. Collective; some rank must have found one.
-    pub fn of_ranks(mine: Option<&Bad>, step: u64, comm: &Comm) -> Self {
-        let first = comm.all_gather(&[mine.map_or(u64::MAX, |bad| bad.id.0)]).into_iter().fold(u64::MAX, u64::min);
-        let told = mine.filter(|bad| bad.id.0 == first).map_or(Ok(()), |bad| Err(Error::new(&bad.what)));
-        let what = agree(comm, told).map_or_else(|error| error.what, |()| "a number is none".to_string());
+    pub fn of_ranks(mine: Option<&NonFinite>, step: u64, comm: &Comm) -> Self {
+        let first = comm.all_gather(&[mine.map_or(u64::MAX, |found| found.id.0)]).into_iter().fold(u64::MAX, u64::min);
+        let told = mine.filter(|found| found.id.0 == first).map_or(Ok(()), |found| Err(Error::new(&found.what)));
+        let what = agree(comm, told).map_or_else(|error| error.what, |()| "a number is not finite".to_string());
         Self { step, particle: Some(ParticleId(first)), what }
     }
 
@@ -45,7 +46,7 @@ impl Failure {
     }
 }
 
-impl Bad {
+impl NonFinite {
     /// The one with the smaller id.
     pub fn first(a: Option<Self>, b: Option<Self>) -> Option<Self> {
         match (a, b) {
@@ -55,37 +56,74 @@ impl Bad {
     }
 }
 
-/// Bits of the exponent; all of them are set in infinities and in what is no number.
-const EXPONENT: u64 = 0x7ff << 52;
+/// The columns that are looked through after the effects have acted: what snapshots show and what follows from the state. Others are
+/// rates, which are looked at when they are made, and values of earlier moments.
+pub struct Watched(Vec<(usize, Entry)>);
 
-/// Whether all words are finite numbers. One pass without a branch, over numbers that are in cache.
-pub fn finite(words: &[Cell<u64>]) -> bool {
-    let carried = words.iter().fold(0, |any, word| any | ((word.get() & EXPONENT) + (1 << 52)));
-    carried >> 63 == 0
+impl Watched {
+    pub fn new(registry: &Registry) -> Self {
+        let is_watched = |entry: &Entry| {
+            entry.shape != Shape::Id
+                && entry.owner != "integrator"
+                && (entry.info.snapshot || entry.info.life == Life::Scratch)
+        };
+        let entries = registry.entries.iter().enumerate().filter(|(_, entry)| is_watched(entry));
+        Self(entries.map(|(index, entry)| (index, entry.clone())).collect())
+    }
+
+    /// Notes the first particle of a chunk with a non-finite number in `found`, unless one of a smaller id is there.
+    pub fn look(&self, chunk: &Chunk, ids: &View<ParticleId>, found: &mut Option<NonFinite>) {
+        if self.0.iter().all(|(index, _)| finite(chunk.words(*index))) {
+            return;
+        }
+        for (index, entry) in &self.0 {
+            let words = chunk.words(*index);
+            let bad = (0..chunk.len()).filter(|&k| !finite(&words[k * entry.width..(k + 1) * entry.width]));
+            let what =
+                || format!("its {} is no number after the effects have acted (owner: {})", entry.name, entry.owner);
+            let bad = bad.map(|k| ids.get(k)).min().map(|id| NonFinite { id, what: what() });
+            *found = NonFinite::first(found.take(), bad);
+        }
+    }
 }
 
-/// As [`finite`].
-pub fn all_finite(numbers: &[f64]) -> bool {
-    let carried = numbers.iter().fold(0, |any, x| any | ((x.to_bits() & EXPONENT) + (1 << 52)));
-    carried >> 63 == 0
+/// The first particle with a rate that is not finite, and which of the causes in their order: the forces of its neighbours,
+/// their motion, or the effect without which its rates would be numbers.
+pub fn first_non_finite_rate(settings: &StepSettings, registry: &Registry, local: &Local) -> Option<NonFinite> {
+    let (n, dimension, rates) = (local.len(), registry.dimension, local.rates);
+    let mut found = None;
+    let mut note = |k: usize, what: &dyn Fn() -> String| {
+        let id = local.view(settings.view.core.id).get(k);
+        if found.as_ref().is_none_or(|bad: &NonFinite| id < bad.id) {
+            found = Some(NonFinite { id, what: what() });
+        }
+    };
+    for k in 0..n {
+        let motion = &local.motion[k];
+        let gradient = motion.velocity_gradient.as_slice();
+        if !finite(words_of(&rates.acceleration[k * dimension..(k + 1) * dimension])) {
+            note(k, &|| "the forces of its neighbours add up to an acceleration that is no number".into());
+        } else if !(gradient.iter().all(|x| x.is_finite()) && motion.heating.is_finite()) {
+            note(k, &|| "the motion of its neighbours gives a velocity gradient that is no number".into());
+        }
+    }
+    // Effects fill the rates once more, one after another.
+    rates.clear();
+    for effect in &settings.effects {
+        effect.rates(local);
+        for (slot, &value) in registry.integrated.iter().enumerate() {
+            for k in (0..n).filter(|&k| !finite(rates.of_particle(slot, k))) {
+                let name = &registry.entries[value].name;
+                note(k, &|| format!("effect `{}` makes a rate of {name} that is no number", effect.name()));
+            }
+        }
+    }
+    found
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn numbers_are_told_from_what_is_none() {
-        let whole = [0.0, -0.0, 5e-324, -1.5, f64::MAX, f64::MIN];
-        assert!(all_finite(&whole));
-        for bad in [f64::NAN, -f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::from_bits(0x7ff0_0000_0000_0001)] {
-            for at in 0..whole.len() {
-                let mut numbers = whole;
-                numbers[at] = bad;
-                assert!(!all_finite(&numbers) && !finite(&numbers.map(|x| Cell::new(x.to_bits()))), "{bad} at {at}");
-            }
-        }
-    }
 
     #[test]
     fn a_failure_names_step_particle_and_body() {

@@ -7,12 +7,10 @@ use serde::{Deserialize, Serialize};
 use super::Stepper;
 use super::diagnostics::sum_over_ranks;
 use super::failure::Failure;
-use super::stepper::Agreed;
-use crate::material::fracture::damaged_pressure;
+use super::reduction;
+use crate::material::Late;
 use crate::material::late::{Load, Stiffness};
-use crate::material::{Late, porosity, strength};
-use crate::math::{Deviator, ExactSum};
-use crate::particles::Column;
+use crate::math::ExactSum;
 
 /// Pressure and elastic energy of all particles.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -35,18 +33,16 @@ pub struct Switch {
 }
 
 impl<const D: usize> Stepper<'_, D> {
-    /// Goes over to soft matter. Returns what that did, and the first step after it. Collective.
-    pub fn soften(&mut self, late: &Late) -> Result<(Switch, Agreed), Failure> {
-        if self.resting {
-            self.rebuild(false);
-        }
+    /// Goes over to soft matter; the next step follows from it. Returns what that did. Collective.
+    pub fn soften(&mut self, late: &Late) -> Result<Switch, Failure> {
+        self.rebuild_released();
         let stiff: Vec<Stiffness> = late.0.iter().map(|body| body.before()).collect();
         let soft: Vec<Stiffness> = late.0.iter().map(|body| body.after()).collect();
         let elastic = self.elastic_energies(&stiff);
         let before = self.loads(&elastic);
         self.settings.effects.iter_mut().for_each(|effect| effect.soften(late));
-        self.material_pass(|physics, chunk, workspace| physics.carry_over(chunk, late, workspace));
-        self.agree_on_particles(0.0)?;
+        self.chunk_pass(|passes, chunk, workspace| passes.carry_over(chunk, late, workspace));
+        reduction::before_evaluation(&self.collect(), 0.0, self.state.step, self.comm)?;
         let left = self.elastic_energies(&soft);
         let after = self.loads(&left);
         if let Some(u) = self.internal_energy {
@@ -54,26 +50,23 @@ impl<const D: usize> Stepper<'_, D> {
                 self.columns.set(u, i, self.columns.get(u, i) + (after - before));
             }
         }
-        self.evaluate(0.0);
-        let agreed = self.agree(0)?;
+        self.evaluate_anew()?;
         let energy_jump = after.elastic_energy - before.elastic_energy;
-        Ok((Switch { before, after, energy_jump }, agreed))
+        Ok(Switch { before, after, energy_jump })
     }
 
-    /// Of each particle, J/kg.
+    /// The elastic energy of each particle, J/kg.
     fn elastic_energies(&self, bodies: &[Stiffness]) -> Vec<f64> {
-        let (columns, core, packer) = (&self.columns, &self.settings.core, &self.settings.packer);
-        let distention: Option<Column<f64>> = columns.registry.find(porosity::DISTENTION);
-        let stress: Option<Column<Deviator>> = columns.registry.find(strength::DEVIATORIC_STRESS);
+        let (columns, view) = (&self.columns, &self.settings.view);
         let energy = |i: usize| {
-            let body = columns.get(core.id, i).body();
+            let body = columns.get(view.core.id, i).body();
             bodies[body].elastic_energy(&Load {
-                density: columns.get(core.density.value, i),
-                distention: distention.map_or(1.0, |column| columns.get(column, i)),
-                pressure: columns.get(core.pressure, i),
-                stress: stress.map_or(Deviator::default(), |column| columns.get(column, i)),
-                damage: packer.damage(columns, i, body),
-                friction: packer.has_friction(body),
+                density: columns.get(view.core.density.value, i),
+                distention: view.distention(columns, i),
+                pressure: columns.get(view.core.pressure, i),
+                stress: view.deviatoric_stress(columns, i),
+                damage: view.damage(columns, i, body),
+                friction: view.has_friction(body),
             })
         };
         (0..columns.len()).map(energy).collect()
@@ -81,14 +74,13 @@ impl<const D: usize> Stepper<'_, D> {
 
     /// Collective.
     fn loads(&self, elastic: &[f64]) -> Loads {
-        let (columns, settings) = (&self.columns, &self.settings);
+        let (columns, view) = (&self.columns, &self.settings.view);
         let mut sums = [const { ExactSum::new() }; 3];
         let mut largest = [0.0];
         for (i, elastic) in elastic.iter().enumerate() {
-            let body = columns.get(settings.core.id, i).body();
-            let m = settings.constants[body].particle_mass;
-            let pressure = columns.get(settings.core.pressure, i);
-            let acting = damaged_pressure(pressure, settings.packer.damage(columns, i, body));
+            let body = columns.get(view.core.id, i).body();
+            let m = view.constants[body].particle_mass;
+            let acting = view.acting_pressure(columns, i, body);
             sums.iter_mut().zip([m * elastic, m * acting, m]).for_each(|(sum, share)| sum.add(share));
             largest[0] = acting.abs().max(largest[0]);
         }

@@ -1,18 +1,27 @@
-//! One substep after another: predict, material, lists if they must be rebuilt, pack, exchange, pair loop, rates, correct.
+//! One step after another. A step is made of the stages of an integrator ([`integrator`]); for each stage particles are moved to
+//! its moment and their material is brought up to date ([`passes`]), lists are built anew where they do not hold
+//! ([`neighbourhood`]), records are packed ([`pack`]) and exchanged, rates are evaluated ([`derivatives`]) and taken by the
+//! integrator, and ranks reduce what is global ([`reduction`]).
 
+pub mod derivatives;
 pub mod diagnostics;
-pub mod evaluate;
 pub mod failure;
 pub mod integrator;
 pub mod late;
 pub mod neighbourhood;
+mod own_gravity;
 pub mod pack;
 pub mod packing;
+pub mod passes;
 pub mod phases;
+pub mod reduction;
+pub mod settings;
 pub mod stepper;
 pub mod time_step;
 pub mod workers;
+pub mod workspace;
 
 pub use diagnostics::Totals;
 pub use failure::Failure;
-pub use stepper::{Counters, Stepper};
+pub use settings::{Counters, StepSettings, StepState};
+pub use stepper::{Stepped, Stepper};

@@ -3,12 +3,12 @@
 //! run has the same lists.
 
 use super::phases::{Phase, Phases};
-use super::stepper::{Counters, StepSettings};
+use super::settings::StepSettings;
 use crate::domain::comm::Comm;
-use crate::domain::{Closing, Decomposition, Flying, Handles, Motion, Space, Watch};
+use crate::domain::{Closing, Decomposition, Displacements, Handles, Moving, Space, Watch};
 use crate::gravity::ROUNDS;
 use crate::kernel::SUPPORT;
-use crate::material::{BodyConstants, Core};
+use crate::material::Core;
 use crate::math::Vec3;
 use crate::neighbours::NeighbourList;
 use crate::pair::Layout;
@@ -20,6 +20,16 @@ const TOLERATED_IMBALANCE: f64 = 0.05;
 /// Cost of a particle's own update in list entries, until it is measured.
 const FIRST_UPDATE_COST: f64 = 30.0;
 
+/// Steps before times say what a particle costs.
+const STEPS_TO_MEASURE: u64 = 10;
+
+/// What the loads of ranks are estimated from.
+pub struct Load<'a> {
+    pub phases: &'a Phases,
+    /// Steps so far, that in progress among them.
+    pub steps: u64,
+}
+
 pub struct Neighbourhood<const D: usize> {
     decomposition: Option<Decomposition<D>>,
     pub list: NeighbourList<D>,
@@ -29,7 +39,6 @@ pub struct Neighbourhood<const D: usize> {
     evaluations: u64,
     handles: Handles,
     core: Core,
-    smoothing_length: Option<(Column<f64>, Column<f64>)>,
     /// Where the rounds of particles along the periods count.
     rounds: Option<Column<Vec3>>,
     /// List radius over smoothing length.
@@ -45,9 +54,8 @@ pub struct Neighbourhood<const D: usize> {
 
 impl<const D: usize> Neighbourhood<D> {
     pub fn new(registry: &Registry, settings: &StepSettings) -> Self {
-        let core = settings.core;
+        let core = settings.view.core;
         let reach = SUPPORT * (1.0 + settings.skin);
-        let smoothing_length = registry.find("smoothing_length").zip(registry.find("build_smoothing_length"));
         Self {
             decomposition: None,
             list: NeighbourList::default(),
@@ -55,11 +63,10 @@ impl<const D: usize> Neighbourhood<D> {
             evaluations: 0,
             handles: Handles { id: core.id, position: core.position, build_position: core.build_position },
             core,
-            smoothing_length,
             rounds: registry.find(ROUNDS),
             reach,
-            space: Space { lattice: lattice(reach, settings, smoothing_length.is_some()), periods: settings.periods },
-            words: settings.pair_loop.layout.words(),
+            space: Space { lattice: lattice(reach, settings), periods: settings.periods },
+            words: settings.pair_loop.layout().words(),
             costs: Vec::new(),
             list_size: (0.0, 0.0),
             list_bytes: 0,
@@ -85,10 +92,10 @@ impl<const D: usize> Neighbourhood<D> {
     }
 
     /// The next build stands on the present positions and smoothing lengths.
-    pub fn start_afresh(&self, columns: &mut Columns) {
+    pub fn start_afresh(&self, columns: &mut Columns, settings: &StepSettings) {
         self.wrap(columns);
         columns.copy(self.core.position.index, self.core.build_position.index);
-        if let Some((now, at_build)) = self.smoothing_length {
+        if let Some([now, at_build]) = settings.view.varying_smoothing_length() {
             columns.copy(now.index, at_build.index);
         }
     }
@@ -111,13 +118,9 @@ impl<const D: usize> Neighbourhood<D> {
 
     /// Distributes particles over ranks and finds the ghosts, on build positions. Collective.
     pub fn distribute(&mut self, columns: &mut Columns, settings: &StepSettings, comm: &Comm) {
-        let (at_build, reach, id) = (self.smoothing_length, self.reach, self.core.id);
+        let (reach, view) = (self.reach, &settings.view);
         let radius = |columns: &Columns, i: usize| {
-            let h = match at_build {
-                Some((_, column)) => columns.get(column, i),
-                None => settings.constants[columns.get(id, i).body()].smoothing_length,
-            };
-            reach * h
+            reach * view.smoothing_length_at_build(columns, i, columns.get(view.core.id, i).body())
         };
         match &mut self.decomposition {
             Some(decomposition) => decomposition.rebuild_from_build_positions(columns, &radius, comm),
@@ -155,26 +158,19 @@ impl<const D: usize> Neighbourhood<D> {
     /// The longest step in which nothing flies into each other unseen; `all`: the largest relative velocity anywhere, m/s. Collective.
     pub fn closing(&mut self, columns: &Columns, settings: &StepSettings, all: f64, comm: &Comm) -> Closing {
         let (velocity, id) = (columns.numbers(self.core.velocity.index), self.core.id);
-        let flying = Flying { velocity, relative: all, id: &|i| columns.get(id, i).0 };
-        self.with_motion(columns, settings, |watch, motion| watch.closing(motion, &flying, settings.cfl, comm))
+        let moving = Moving { velocity, relative: all, id: &|i| columns.get(id, i).0 };
+        self.with_motion(columns, settings, |watch, motion| watch.closing(motion, &moving, settings.cfl, comm))
     }
 
     fn with_motion<T>(
         &mut self,
         columns: &Columns,
         settings: &StepSettings,
-        act: impl FnOnce(&mut Watch<D>, &Motion<'_, &(dyn Fn(usize) -> f64 + Sync)>) -> T,
+        act: impl FnOnce(&mut Watch<D>, &Displacements<'_, &(dyn Fn(usize) -> f64 + Sync)>) -> T,
     ) -> T {
-        let (now, id) = (self.smoothing_length, self.core.id);
-        let constants: &[BodyConstants] = &settings.constants;
-        let support = |i: usize| {
-            SUPPORT
-                * match now {
-                    Some((column, _)) => columns.get(column, i),
-                    None => constants[columns.get(id, i).body()].smoothing_length,
-                }
-        };
-        let motion = Motion {
+        let view = &settings.view;
+        let support = |i: usize| SUPPORT * view.smoothing_length(columns, i, columns.get(view.core.id, i).body());
+        let motion = Displacements {
             position: columns.numbers(self.core.position.index),
             build_position: columns.numbers(self.core.build_position.index),
             support: &support as &(dyn Fn(usize) -> f64 + Sync),
@@ -184,11 +180,11 @@ impl<const D: usize> Neighbourhood<D> {
 
     /// Moves the planes of the bisection if the loads of ranks differ too much; the next [`Neighbourhood::distribute`]
     /// follows them. A particle costs its list entries and its own update, in the proportion measured so far. Collective.
-    pub fn balance(&mut self, columns: &Columns, phases: &Phases, counters: &Counters, comm: &Comm) -> bool {
+    pub fn balance(&mut self, columns: &Columns, load: &Load, comm: &Comm) -> bool {
         if comm.size() == 1 || self.decomposition.is_none() {
             return false;
         }
-        let own = self.update_cost(phases, counters, comm);
+        let own = self.update_cost(load, comm);
         let imbalance = self.imbalance_of_list(own, comm);
         self.imbalance_so_far.0 += imbalance * self.evaluations as f64;
         self.imbalance_so_far.1 += self.evaluations;
@@ -206,8 +202,8 @@ impl<const D: usize> Neighbourhood<D> {
 
     /// Largest load of a rank over the mean load: the mean over all evaluations so far, each with the planes that it was
     /// made with. Collective.
-    pub fn imbalance(&self, phases: &Phases, counters: &Counters, comm: &Comm) -> f64 {
-        let now = self.imbalance_of_list(self.update_cost(phases, counters, comm), comm);
+    pub fn imbalance(&self, load: &Load, comm: &Comm) -> f64 {
+        let now = self.imbalance_of_list(self.update_cost(load, comm), comm);
         let (sum, evaluations) = self.imbalance_so_far;
         (sum + now * self.evaluations as f64) / (evaluations + self.evaluations).max(1) as f64
     }
@@ -229,14 +225,14 @@ impl<const D: usize> Neighbourhood<D> {
 
     /// Cost of a particle's own update in list entries, from the time that all ranks took so far: what disturbs one of them
     /// must not count as load. Collective.
-    fn update_cost(&self, phases: &Phases, counters: &Counters, comm: &Comm) -> f64 {
-        let seconds = |phase: Phase| phases.seconds[phase as usize];
+    fn update_cost(&self, load: &Load, comm: &Comm) -> f64 {
+        let seconds = |phase: Phase| load.phases.seconds[phase as usize];
         let update = seconds(Phase::Predict) + seconds(Phase::Pack) + seconds(Phase::Watch) + seconds(Phase::Gravity);
         let (entries, particles) = self.list_size;
         let mut sums = [1e6 * update, 1e6 * seconds(Phase::Pairs), entries, particles].map(|x| x as i64);
         comm.all_sum(&mut sums);
         let [update, pairs, entries, particles] = sums.map(|x| x as f64);
-        if counters.steps < 10 || pairs <= 0.0 || entries == 0.0 {
+        if load.steps < STEPS_TO_MEASURE || pairs <= 0.0 || entries == 0.0 {
             return FIRST_UPDATE_COST;
         }
         ((update / particles) / (pairs / entries)).clamp(1.0, 200.0)
@@ -287,12 +283,12 @@ impl<const D: usize> Neighbourhood<D> {
 /// Cells of one level are just as wide as the list radius of the body with the most particles: a level that missed it by
 /// little would hold its particles in cells twice as wide, with eight times the candidates. The smallest body begins at
 /// level 0. Where smoothing lengths vary, a little expansion must not lift particles to the next level either.
-fn lattice(reach: f64, settings: &StepSettings, varies: bool) -> Lattice {
-    let constants = &settings.constants;
+fn lattice(reach: f64, settings: &StepSettings) -> Lattice {
+    let constants = &settings.view.constants;
     let smallest = constants.iter().map(|body| body.smoothing_length).fold(f64::INFINITY, f64::min);
     let largest = constants.iter().map(|body| body.smoothing_length).fold(0.0, f64::max);
     let largest_body = constants.iter().max_by_key(|body| body.particles).expect("a scene has bodies");
-    let room = if varies { 1.05 } else { 1.0 };
+    let room = if settings.view.varying_smoothing_length().is_some() { 1.05 } else { 1.0 };
     let mut side = largest_body.smoothing_length * room;
     while side > smallest {
         side *= 0.5;

@@ -3,28 +3,21 @@
 
 use std::ops::Range;
 
-use crate::material::{BodyConstants, Core, fracture, porosity};
+use crate::material::{ParticleView, Viscosity};
 use crate::math::lanes::LANES;
-use crate::math::{Deviator, Sym, Vec3};
+use crate::math::{Sym, Vec3};
 use crate::pair::artificial_stress::artificial_stress;
-use crate::pair::record::{Viscosity, set_half};
-use crate::pair::{Layout, Terms, torque};
+use crate::pair::record::{ViscousTerm, set_half};
+use crate::pair::{Layout, torque};
 use crate::particles::{Chunk, Column, ColumnInfo, Columns, Life, Registry};
 
-/// Columns that records are made of, and per-body numbers.
+/// Makes records from columns.
 #[derive(Debug, Clone)]
 pub struct Packer {
-    core: Core,
+    view: ParticleView,
     layout: Layout,
-    /// What viscosity goes by in bodies that ask for it.
-    loading_speed: Option<Column<f64>>,
-    deviatoric_stress: Option<Column<Deviator>>,
-    damage: Option<Column<f64>>,
-    smoothing_length: Option<Column<f64>>,
     /// Where forces have no torque.
     pub moments: Option<Moments>,
-    constants: Vec<BodyConstants>,
-    bodies: Vec<BodyTraits>,
     /// Strength epsilon of the artificial stress.
     epsilon: f64,
     /// Spacing over smoothing length, to the power of the dimension, times two: V_max / h^d.
@@ -50,8 +43,8 @@ const MOMENTS: [(&str, &str, &str); 4] = [
 impl Moments {
     pub fn declare(registry: &mut Registry) {
         for (name, unit, about) in MOMENTS {
-            let info = ColumnInfo { name, unit, about, life: Life::State, snapshot: false };
-            registry.owner("no_torque").column::<Vec3>(info);
+            let info = ColumnInfo { name, unit, about, life: Life::Kept, snapshot: false };
+            registry.owner("angular_momentum").column::<Vec3>(info);
         }
     }
 
@@ -83,88 +76,22 @@ impl Moments {
     }
 }
 
-/// What the material of a body says about records.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct BodyTraits {
-    /// (alpha, beta).
-    pub viscosity: (f64, f64),
-    /// Whether viscosity goes by the speed of further compression.
-    pub by_loading: bool,
-    /// Whether damage acts on shear through the yield strength alone.
-    pub friction: bool,
-    /// Damage, where there is no fracture.
-    pub fixed_damage: Option<f64>,
-}
-
-/// What a scene says about records.
-#[derive(Debug, Clone)]
-pub struct PackSettings {
-    pub terms: Terms,
-    pub constants: Vec<BodyConstants>,
-    pub bodies: Vec<BodyTraits>,
-    pub artificial_stress_factor: f64,
-    /// Smoothing length over spacing.
-    pub eta: f64,
-}
-
 impl Packer {
-    pub fn new(registry: &Registry, core: Core, settings: PackSettings) -> Self {
-        let dimension = registry.dimension;
+    /// For records of this layout. `epsilon`: strength of the artificial stress; `eta`: smoothing length over spacing.
+    pub fn new(registry: &Registry, view: &ParticleView, layout: &Layout, epsilon: f64, eta: f64) -> Self {
         Self {
-            core,
-            layout: Layout { dimension, terms: settings.terms },
-            loading_speed: registry.find(porosity::LOADING_SPEED),
-            deviatoric_stress: registry.find("deviatoric_stress"),
-            damage: registry.find("damage"),
-            smoothing_length: registry.find("smoothing_length"),
+            view: view.clone(),
+            layout: *layout,
             moments: Moments::find(registry),
-            constants: settings.constants,
-            bodies: settings.bodies,
-            epsilon: settings.artificial_stress_factor,
-            most_volume: 2.0 / settings.eta.powi(dimension as i32),
-            eta: settings.eta,
+            epsilon,
+            most_volume: 2.0 / eta.powi(registry.dimension as i32),
+            eta,
         }
     }
 
     /// Smoothing length over spacing, as the scene has it.
     pub fn eta(&self) -> f64 {
         self.eta
-    }
-
-    /// Smoothing length of particle `i` of `body`, m.
-    #[inline]
-    pub fn smoothing_length(&self, columns: &Columns, i: usize, body: usize) -> f64 {
-        match self.smoothing_length {
-            Some(column) => columns.get(column, i),
-            None => self.constants[body].smoothing_length,
-        }
-    }
-
-    /// The same for particle `k` of a chunk.
-    #[inline]
-    pub fn chunk_smoothing_length(&self, chunk: &Chunk, k: usize, body: usize) -> f64 {
-        match self.smoothing_length {
-            Some(column) => chunk.view(column).get(k),
-            None => self.constants[body].smoothing_length,
-        }
-    }
-
-    /// Damage of particle `i` of `body`; 0 where nothing breaks.
-    #[inline]
-    pub fn damage(&self, columns: &Columns, i: usize, body: usize) -> f64 {
-        let grown = || self.damage.map_or(0.0, |column| columns.get(column, i));
-        self.bodies[body].fixed_damage.unwrap_or_else(grown)
-    }
-
-    /// Whether damage acts on shear of a body through its yield strength alone.
-    pub fn has_friction(&self, body: usize) -> bool {
-        self.bodies[body].friction
-    }
-
-    /// alpha and beta of a body.
-    #[inline]
-    pub fn viscosity(&self, body: usize) -> (f64, f64) {
-        self.bodies[body].viscosity
     }
 
     /// Writes the records of owned particles `range`, a step of `dt` after the last evaluation, to `slots[i] * stride`.
@@ -199,48 +126,40 @@ impl Packer {
 
     /// Writes all but w, and returns the stress that neighbours see, Pa.
     fn pack_one(&self, columns: &Columns, i: usize, record: &mut [f64]) -> Sym {
-        let layout = &self.layout;
-        let body = columns.get(self.core.id, i).body();
-        let constants = &self.constants[body];
-        let (x, v) = (columns.get(self.core.position, i), columns.get(self.core.velocity, i));
+        let (layout, view) = (&self.layout, &self.view);
+        let body = columns.get(view.core.id, i).body();
+        let constants = &view.constants[body];
+        let (x, v) = (columns.get(view.core.position, i), columns.get(view.core.velocity, i));
         for a in 0..layout.dimension {
             record[a] = x[a];
             record[layout.dimension + a] = v[a];
         }
-        let h = self.smoothing_length(columns, i, body);
-        let density = columns.get(self.core.density.value, i);
+        let h = view.smoothing_length(columns, i, body);
+        let density = columns.get(view.core.density.value, i);
         let h_power = if layout.dimension == 2 { h * h } else { h * h * h };
         let volume = (constants.particle_mass / density).min(self.most_volume * h_power);
         record[layout.volume()] = volume;
         set_half(record, layout.density(), constants.particle_mass / volume);
         set_half(record, layout.h_inverse(), 1.0 / h);
-        let (alpha, beta) = self.bodies[body].viscosity;
-        if layout.terms.viscosity != Viscosity::Off {
-            let speed = self.loading_speed.filter(|_| self.bodies[body].by_loading).unwrap_or(self.core.sound_speed);
-            set_half(record, layout.alpha_c(), alpha * columns.get(speed, i));
+        let Viscosity { alpha, beta } = view.viscosity(body);
+        if layout.terms.viscosity != ViscousTerm::Off {
+            set_half(record, layout.alpha_c(), alpha * view.viscous_speed(columns, i, body));
         }
-        if layout.terms.viscosity == Viscosity::OwnBeta {
+        if layout.terms.viscosity == ViscousTerm::OwnBeta {
             set_half(record, layout.beta(), beta);
         }
-        let pressure = columns.get(self.core.pressure, i);
-        if !layout.terms.tensor {
-            record[layout.stress()] = -fracture::damaged_pressure(pressure, self.damage(columns, i, body));
+        if !layout.terms.tensor() {
+            record[layout.stress()] = -view.acting_pressure(columns, i, body);
             return Sym::ZERO;
         }
-        let stress = self.damaged_stress(columns, (i, body), pressure);
+        let stress = view.acting_stress(columns, i, body);
         write_tensor(layout.dimension, &stress, &mut record[layout.stress()..]);
-        if layout.terms.artificial_stress {
+        if layout.terms.artificial_stress() {
             let mut words = [0.0; 6];
             write_tensor(layout.dimension, &artificial_stress(&stress, self.epsilon), &mut words);
             (0..layout.tensor_words()).for_each(|k| set_half(record, layout.artificial() + k, words[k]));
         }
         stress
-    }
-
-    /// The stress that neighbours see: deviator and tension weakened by damage, never written back.
-    fn damaged_stress(&self, columns: &Columns, (i, body): (usize, usize), pressure: f64) -> Sym {
-        let s = self.deviatoric_stress.map_or(Deviator::default(), |column| columns.get(column, i));
-        fracture::damaged_stress(&s, pressure, self.damage(columns, i, body), self.bodies[body].friction)
     }
 }
 
@@ -262,7 +181,7 @@ fn write_tensor(dimension: usize, s: &Sym, words: &mut [f64]) {
 /// Stress of a record as a tensor; in 2D the out-of-plane components, which do no work, are left zero.
 pub fn read_stress(layout: &Layout, record: &[f64]) -> Sym {
     let s = &record[layout.stress()..];
-    match (layout.terms.tensor, layout.dimension) {
+    match (layout.terms.tensor(), layout.dimension) {
         (false, _) => Sym { xx: s[0], yy: s[0], zz: s[0], ..Sym::ZERO },
         (true, 2) => Sym { xx: s[0], yy: s[1], xy: s[2], ..Sym::ZERO },
         (true, _) => Sym { xx: s[0], yy: s[1], zz: s[2], xy: s[3], xz: s[4], yz: s[5] },

@@ -71,15 +71,15 @@ impl Sums {
 impl<const D: usize> Stepper<'_, D> {
     /// One for each body; nothing is found inside where no step has been taken since lists were given back. Collective.
     pub fn packing(&self) -> Vec<Packing> {
-        let mut counts = vec![0i64; 4 * self.settings.constants.len()];
+        let mut counts = vec![0i64; 4 * self.settings.view.constants.len()];
         if let Some(rows) = self.rows() {
             let neighbours =
-                Neighbours::<D> { rows, layout: self.settings.pair_loop.layout, eta: self.settings.packer.eta() };
+                Neighbours::<D> { rows, layout: *self.settings.pair_loop.layout(), eta: self.settings.packer.eta() };
             for i in 0..self.columns.len() {
                 let sums = neighbours.sums(i);
-                let body = self.columns.get(self.settings.core.id, i).body();
-                let density = self.columns.get(self.settings.core.density.value, i);
-                let is_dense = density > COMPRESSED * self.settings.constants[body].density;
+                let body = self.columns.get(self.settings.view.core.id, i).body();
+                let density = self.columns.get(self.settings.view.core.density.value, i);
+                let is_dense = density > COMPRESSED * self.settings.view.constants[body].density;
                 let inside = sums.is_inside();
                 let [crowded, sparse] = [sums.packing > FACTOR, sums.packing < 1.0 / FACTOR].map(|off| inside && off);
                 let alone = is_dense && sums.cover > 0.0 && sums.cover < LEAST_COVER;

@@ -1,77 +1,44 @@
-//! The particles of a rank and the step that moves them on.
+//! The particles of a rank and the step that moves them on: the stages of the integrator, each with its lists, its records, its pairs
+//! and its reduction.
 
+use std::ops::Range;
 use std::sync::Arc;
 use std::time::Instant;
 
-use super::diagnostics::{self, Sources, Totals};
-use super::evaluate::{Flight, Physics, Workspace, chunk_range};
-use super::failure::{Bad, Failure};
-use super::neighbourhood::Neighbourhood;
-use super::pack::Packer;
+use super::diagnostics::{self, Totals};
+use super::failure::Failure;
+use super::integrator::Verdict;
+use super::neighbourhood::{Load, Neighbourhood};
+use super::passes::Passes;
 use super::phases::{Phase, Phases};
+use super::reduction::{self, Reduced};
+use super::settings::{Counters, Moment, StepSettings, StepState};
 use super::time_step::Limit;
 use super::workers::Workers;
-use crate::domain::closing;
+use super::workspace::{Findings, Workspace};
 use crate::domain::comm::Comm;
-use crate::gravity::attraction::Evaluation;
-use crate::gravity::{Attraction, Matter, Timing};
-use crate::material::{BodyConstants, Core, MaterialEffect};
-use crate::motion::Motions;
-use crate::pair::{PairLoop, Rows};
-use crate::particles::chunk::{CHUNK, Chunks};
-use crate::particles::{Column, Columns, ParticleId, Periods, large_pages};
+use crate::material::Core;
+use crate::pair::Rows;
+use crate::particles::chunk::{CHUNK, Chunks, chunk_range};
+use crate::particles::{Chunk, Column, Columns, ParticleId, large_pages};
 
 /// Chunks between two looks at the messages on their way.
 const CHUNKS_PER_POLL: usize = 8;
-/// Pairs are summed while gravity is evaluated where it is kept for this many steps at least: it then counts a step later.
-const STEPS_TO_OVERLAP: f64 = 8.0;
-
-/// Everything a scene decides about a substep.
-pub struct StepSettings {
-    pub core: Core,
-    pub effects: Vec<Box<dyn MaterialEffect>>,
-    pub constants: Vec<BodyConstants>,
-    pub packer: Packer,
-    pub pair_loop: PairLoop,
-    /// Where a scene prescribes how particles move.
-    pub motions: Option<Motions>,
-    pub gravity: Option<Attraction>,
-    pub periods: Periods,
-    pub cfl: f64,
-    /// Skin of the neighbour lists over the support.
-    pub skin: f64,
-}
-
-/// What happened so far, on all ranks alike but for the pairs.
-#[derive(Debug, Clone, Copy, Default, serde::Serialize, serde::Deserialize)]
-pub struct Counters {
-    pub steps: u64,
-    /// Since the start, s.
-    #[serde(default)]
-    pub time: f64,
-    pub list_builds: u64,
-    pub rebisections: u64,
-    /// Of this rank.
-    pub migrated: u64,
-    /// Directed pairs inside the support, of this rank.
-    pub pairs: u64,
-    /// Force evaluations of owned particles, of this rank.
-    pub updates: u64,
-    /// When the particles' own gravity was evaluated.
-    #[serde(default)]
-    pub gravity: Timing,
-    #[serde(default)]
-    pub gravity_evaluations: u64,
-}
+/// A step that fails is tried again with this share of its length, where the integrator may refuse steps, and given up below that
+/// share of its first length.
+const SHORTER: f64 = 0.2;
+const SHORTEST: f64 = 1e-6;
 
 /// A line of 64 bytes.
 #[repr(C, align(64))]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 struct Line([f64; 8]);
 
-/// What ranks tell each other after an evaluation.
+/// A step that was made.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Agreed {
+pub struct Stepped {
+    /// How long it was, s: less than asked for where it was refused first.
+    pub taken: f64,
     /// Largest next step, s.
     pub dt: f64,
     /// Largest of the ranks' signals: zero means nothing.
@@ -82,6 +49,7 @@ pub struct Stepper<'c, const D: usize> {
     pub comm: &'c Comm,
     pub columns: Columns,
     pub settings: StepSettings,
+    pub state: StepState,
     pub workers: Workers<Workspace>,
     pub neighbourhood: Neighbourhood<D>,
     pub phases: Phases,
@@ -95,11 +63,10 @@ pub struct Stepper<'c, const D: usize> {
     boundary: Vec<u32>,
     all: Vec<u32>,
     pointers: Vec<(*mut u64, usize)>,
-    bad: Option<Bad>,
-    /// Velocities of this rank's particles after the last evaluation.
-    flight: Flight,
+    /// What this rank has found in the last evaluation.
+    found: Findings,
     /// Whether lists and records were given back.
-    pub(super) resting: bool,
+    pub(super) released: bool,
 }
 
 impl<'c, const D: usize> Stepper<'c, D> {
@@ -112,6 +79,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
             comm,
             columns,
             settings,
+            state: StepState::default(),
             workers,
             neighbourhood,
             phases: Phases::default(),
@@ -123,79 +91,178 @@ impl<'c, const D: usize> Stepper<'c, D> {
             boundary: Vec::new(),
             all: Vec::new(),
             pointers: Vec::new(),
-            resting: false,
-            bad: None,
-            flight: Flight::NOTHING,
+            found: Findings::nothing(),
+            released: false,
         }
     }
 
-    /// New particles: initialises their effects, distributes them and evaluates once. Returns the first step.
-    pub fn start(&mut self) -> Result<Agreed, Failure> {
+    /// New particles: initialises their effects, distributes them and evaluates once, for the first step.
+    pub fn start(&mut self) -> Result<(), Failure> {
         // Smoothing lengths, on which lists stand, may be made by an effect.
         self.find_chunks();
-        self.material_pass(|physics, chunk, workspace| physics.initialise(chunk, workspace));
-        self.agree_on_particles(0.0)?;
+        self.chunk_pass(|passes, chunk, workspace| passes.initialise(chunk, workspace));
+        let found = self.collect();
+        reduction::before_evaluation(&found, 0.0, 0, self.comm)?;
         self.rebuild(true);
-        self.evaluate(0.0);
-        self.agree(0)
+        self.evaluate_anew()
     }
 
-    /// Particles of a checkpoint: lists stand on the positions of their last build, as if nothing had happened.
-    pub fn resume(&mut self) {
+    /// Particles of a checkpoint and the state that belongs to them: lists stand on the positions of their last build, as if nothing had
+    /// happened.
+    pub fn resume(&mut self, state: StepState) {
+        self.state = state;
         self.rebuild(false);
     }
 
-    /// Moves all particles on by `dt`, s. `signal` is this rank's wish to stop, agreed on with all others. Where it fails,
-    /// particles are left amid the step on every rank, and only a checkpoint leads on.
-    pub fn step(&mut self, dt: f64, signal: u32) -> Result<Agreed, Failure> {
-        self.counters.steps += 1;
-        self.counters.time += dt;
-        if self.resting {
-            self.rebuild(false);
+    /// Moves all particles on by `dt` seconds to the time `end`, or by less where the integrator refuses that. `signal` is what this rank
+    /// has to tell, agreed on with all others. Where it fails, particles are left amid the step on every rank, and only a checkpoint
+    /// leads on.
+    pub fn step(&mut self, dt: f64, end: f64, signal: u32) -> Result<Stepped, Failure> {
+        self.rebuild_released();
+        let stages = self.settings.integrator.stages();
+        // What is evaluated at the beginning of a step stands, however long the step will be.
+        let at_start = stages.iter().take_while(|&&share| share == 0.0).count();
+        self.make_stages(0..at_start, dt, signal)?;
+        let mut tried = dt;
+        loop {
+            let verdict = match self.make_stages(at_start..stages.len(), tried, signal) {
+                Ok(reduced) => {
+                    let reduced = reduced.expect("an integrator has stages beyond the beginning of a step");
+                    match self.settings.integrator.judge(&reduced.error, reduced.speed, tried) {
+                        Verdict::Accept { most } => {
+                            let time = if tried == dt { end } else { self.state.time + tried };
+                            return self.accept((tried, time), &reduced, most);
+                        }
+                        refused => refused,
+                    }
+                }
+                Err(_) if self.settings.integrator.may_refuse() && tried > SHORTEST * dt => {
+                    Verdict::Refuse { next: SHORTER * tried }
+                }
+                Err(failure) => return Err(failure),
+            };
+            if let Verdict::Refuse { next } = verdict {
+                self.counters.refused += 1;
+                self.chunk_pass(|passes, chunk, _| passes.settings.integrator.set_back(chunk));
+                tried = next;
+            }
         }
+    }
+
+    /// Some stages of a step of `dt` seconds; returns what ranks know after the last of them. Collective.
+    fn make_stages(&mut self, which: Range<usize>, dt: f64, signal: u32) -> Result<Option<Reduced>, Failure> {
+        let stages = self.settings.integrator.stages();
+        let mut reduced = None;
+        for stage in which {
+            let (share, last) = (stages[stage], stage + 1 == stages.len());
+            let (time, since) = (self.state.time + share * dt, self.since(stage, dt));
+            let moment = Moment { time, dt, since, gravity_age: 0.0, stage, last };
+            self.move_to(&moment, share)?;
+            reduced = Some(self.evaluate(&moment, signal)?);
+        }
+        Ok(reduced)
+    }
+
+    /// A step counts: it took so many seconds, and the clock stands at `time`. Collective.
+    fn accept(&mut self, (taken, time): (f64, f64), reduced: &Reduced, most: f64) -> Result<Stepped, Failure> {
+        if self.settings.integrator.may_refuse() {
+            self.chunk_pass(|passes, chunk, workspace| passes.commit(chunk, taken, workspace));
+            reduction::before_evaluation(&self.collect(), 0.0, self.coming(), self.comm)?;
+        }
+        let next = self.next_step(reduced, most)?;
+        self.state = StepState { step: self.coming(), time, next, last: taken, gravity: self.state.gravity };
+        Ok(Stepped { taken, dt: next, signal: reduced.signal })
+    }
+
+    /// Number of the step that is being made.
+    fn coming(&self) -> u64 {
+        self.state.step + 1
+    }
+
+    /// Seconds from the last evaluation at a first stage to stage `stage` of a step of `dt` seconds.
+    fn since(&self, stage: usize, dt: f64) -> f64 {
+        let stages = self.settings.integrator.stages();
+        match stage {
+            0 => (1.0 - stages[0]) * self.state.last + stages[0] * dt,
+            later => (stages[later] - stages[0]) * dt,
+        }
+    }
+
+    /// Moves particles to the moment of a stage, and builds their lists anew where these do not hold any more. Collective.
+    fn move_to(&mut self, moment: &Moment, share: f64) -> Result<(), Failure> {
         let start = Instant::now();
-        self.material_pass(|physics, chunk, workspace| physics.predict(chunk, dt, workspace));
+        self.chunk_pass(|passes, chunk, workspace| passes.advance(chunk, moment, share, workspace));
         self.phases.add(Phase::Predict, start);
         let start = Instant::now();
         let used = self.neighbourhood.skin_used(&self.columns, &self.settings, self.comm);
         self.phases.add(Phase::Watch, start);
-        if self.agree_on_particles(used)? > 1.0 {
+        let found = self.collect();
+        let start = Instant::now();
+        let used = reduction::before_evaluation(&found, used, self.coming(), self.comm);
+        self.phases.add(Phase::Reduce, start);
+        if used? > 1.0 {
             self.rebuild(true);
         }
-        self.evaluate(dt);
-        self.agree(signal)
+        Ok(())
+    }
+
+    /// Evaluates particles where they are, for the next step. Collective.
+    pub(super) fn evaluate_anew(&mut self) -> Result<(), Failure> {
+        let time = self.state.time;
+        let moment = Moment { time, dt: 0.0, since: 0.0, gravity_age: 0.0, stage: 0, last: true };
+        let reduced = self.evaluate(&moment, 0)?;
+        self.state.next = self.next_step(&reduced, f64::INFINITY)?;
+        Ok(())
+    }
+
+    /// The next step, s: no longer than any particle allows, nor than `most`. Collective.
+    fn next_step(&mut self, reduced: &Reduced, most: f64) -> Result<f64, Failure> {
+        let mut dt = reduced.limit.min(most);
+        // Otherwise nothing moves by as much as the limit of what closes allows.
+        if reduced.speed * dt > self.settings.cfl * reduced.smallest {
+            dt = dt.min(self.closing(reduced.speed));
+        }
+        if dt > 0.0 && dt.is_finite() {
+            return Ok(dt);
+        }
+        let what = format!("no finite time step: {dt} s");
+        Err(Failure { step: self.coming(), particle: None, what })
     }
 
     /// Gives the memory of lists and records back, for work that needs its own. The next step makes them anew from the
     /// positions of the last build: nothing changes.
-    pub fn rest(&mut self) {
+    pub fn release_buffers(&mut self) {
         self.neighbourhood.forget_list();
         self.records = Vec::new();
-        self.resting = true;
+        self.released = true;
+    }
+
+    pub(super) fn rebuild_released(&mut self) {
+        if self.released {
+            self.rebuild(false);
+        }
     }
 
     /// What the last evaluation read; none where it was given back.
     pub(super) fn rows(&self) -> Option<Rows<'_>> {
+        (!self.released).then(|| self.rows_now())
+    }
+
+    fn rows_now(&self) -> Rows<'_> {
         let list = &self.neighbourhood.list;
-        let slots = &self.neighbourhood.local().slot_of_owned;
-        let records = bytemuck::cast_slice(&self.records);
-        (!self.resting).then_some(Rows { records, offsets: &list.offsets, entries: &list.entries, slots })
+        Rows {
+            records: bytemuck::cast_slice(&self.records),
+            offsets: &list.offsets,
+            entries: &list.entries,
+            slots: &self.neighbourhood.local().slot_of_owned,
+        }
     }
 
     /// Conserved quantities; collective.
     pub fn totals(&mut self) -> Totals {
         let start = Instant::now();
-        let sources = Sources {
-            columns: &self.columns,
-            core: &self.settings.core,
-            constants: &self.settings.constants,
-            effects: &self.settings.effects,
-            motions: self.settings.motions.as_ref(),
-            gravity: self.settings.gravity.as_ref(),
-            gravity_age: self.counters.gravity.age.unwrap_or(0.0),
-            internal_energy: self.internal_energy,
-        };
-        let totals = diagnostics::totals(&sources, self.comm);
+        let age = self.state.gravity.age.unwrap_or(0.0);
+        let totals = diagnostics::totals(&self.columns, &self.settings, age, self.comm);
         self.phases.add(Phase::Diagnostics, start);
         totals
     }
@@ -217,7 +284,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
 
     /// Largest load of a rank over the mean load, over the run; collective.
     pub fn imbalance(&self) -> f64 {
-        self.neighbourhood.imbalance(&self.phases, &self.counters, self.comm)
+        self.neighbourhood.imbalance(&Load { phases: &self.phases, steps: self.coming() }, self.comm)
     }
 
     pub fn reason_name(&self, reason: usize) -> &'static str {
@@ -235,32 +302,42 @@ impl<'c, const D: usize> Stepper<'c, D> {
         std::mem::size_of::<Line>() * self.records.capacity()
     }
 
-    pub(super) fn material_pass(&mut self, work: impl Fn(&Physics, &crate::particles::Chunk, &mut Workspace) + Sync) {
+    pub(super) fn chunk_pass(&mut self, work: impl Fn(&Passes, &Chunk, &mut Workspace) + Sync) {
         let (registry, count) = (Arc::clone(&self.columns.registry), self.columns.len());
-        let physics = physics(&self.settings, &registry, &self.counters);
+        let passes = Passes { settings: &self.settings, registry: &registry };
         let chunks = Chunks::new(&mut self.columns, std::mem::take(&mut self.pointers));
         self.workers.each(&self.all, |chunk, workspace| {
             // SAFETY: each chunk is worked on once per pass, and chunks do not overlap.
             let chunk = unsafe { chunks.chunk(chunk_range(chunk, count)) };
-            work(&physics, &chunk, workspace);
+            work(&passes, &chunk, workspace);
         });
         self.pointers = chunks.into_pointers();
     }
 
-    /// Pack, exchange, pair loop, rates, correction by `dt`; with all of it, where it is due, gravity for the steps to come.
-    pub(super) fn evaluate(&mut self, dt: f64) {
+    /// What all threads have found since the last call.
+    pub(super) fn collect(&self) -> Findings {
+        let mut found = Findings::nothing();
+        self.workers.collect(|workspace| found.merge(workspace.take()));
+        found
+    }
+
+    /// One stage: pack, exchange, pair sums, rates, which the integrator takes; with all of it, where it is due, gravity for the steps to
+    /// come; and the reduction. Collective.
+    fn evaluate(&mut self, moment: &Moment, signal: u32) -> Result<Reduced, Failure> {
         let start = Instant::now();
-        self.pack(dt);
+        self.pack(moment.since);
         self.phases.add(Phase::Pack, start);
-        let layout = self.settings.pair_loop.layout;
+        let layout = *self.settings.pair_loop.layout();
         let stride = layout.stride();
         let records: &[f64] = bytemuck::cast_slice(&self.records);
         self.neighbourhood.send(records, stride, self.comm);
-        let mut gravity = self.begin_gravity(dt);
+        let mut gravity = self.begin_gravity(moment);
+        let age = self.state.gravity.age.unwrap_or(0.0) + if moment.stage == 0 { 0.0 } else { moment.since };
+        let moment = &Moment { gravity_age: age, ..*moment };
         let interior = std::mem::take(&mut self.interior);
         for group in interior.chunks(CHUNKS_PER_POLL * self.workers.threads()) {
             let start = Instant::now();
-            self.evaluate_chunks(group, dt);
+            self.evaluate_chunks(group, moment);
             self.neighbourhood.poll();
             self.phases.add(Phase::Pairs, start);
             if let Some(evaluation) = &mut gravity {
@@ -276,68 +353,25 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let start = Instant::now();
         self.neighbourhood.receive(bytemuck::cast_slice_mut(&mut self.records), stride);
         let boundary = std::mem::take(&mut self.boundary);
-        self.evaluate_chunks(&boundary, dt);
+        self.evaluate_chunks(&boundary, moment);
         self.boundary = boundary;
-        let (mut limit, mut bad, mut pairs, mut flight) = (Limit::NONE, None, 0, Flight::NOTHING);
-        self.workers.collect(|workspace| {
-            let (l, b, p, f) = workspace.take();
-            limit = limit.tighter(l);
-            bad = Bad::first(bad.take(), b);
-            pairs += p;
-            flight.merge(&f);
-        });
-        (self.limit, self.bad, self.flight) = (limit, bad, flight);
-        self.counters.pairs += pairs;
+        self.found = self.collect();
+        self.limit = self.found.limit;
+        self.counters.pairs += self.found.pairs;
         self.counters.updates += self.columns.len() as u64;
         self.phases.add(Phase::Pairs, start);
         if let Some(evaluation) = gravity {
             self.finish_gravity(evaluation);
         }
+        let start = Instant::now();
+        let reduced = reduction::after_evaluation::<D>(&self.found, signal, self.coming(), self.comm);
+        self.phases.add(Phase::Reduce, start);
+        reduced
     }
 
-    /// Begins an evaluation of the particles' own gravity, where it is due; returns it if others may go on meanwhile. Collective.
-    fn begin_gravity(&mut self, dt: f64) -> Option<Evaluation<'c>> {
-        let own = self.settings.gravity.and_then(|gravity| gravity.own)?;
-        let timing = &mut self.counters.gravity;
-        timing.age = timing.age.map(|age| age + dt);
-        if !own.is_due(timing, dt) {
-            return None;
-        }
-        self.counters.gravity_evaluations += 1;
-        let (start, first, lasts) = (Instant::now(), timing.age.is_none(), own.lasts(timing));
-        let StepSettings { core, constants, packer, .. } = &self.settings;
-        let mass_and_softening = |columns: &Columns, i: usize| {
-            let body = columns.get(core.id, i).body();
-            (constants[body].particle_mass, packer.smoothing_length(columns, i, body))
-        };
-        let matter = Matter { id: core.id, position: core.position, mass_and_softening: &mass_and_softening };
-        let evaluation = own.evaluation(&self.columns, &matter, first, self.comm);
-        self.phases.add(Phase::Gravity, start);
-        // What counts a step later must not be much older for it; until then the field before goes on.
-        if !first && lasts >= STEPS_TO_OVERLAP * dt {
-            return Some(evaluation);
-        }
-        self.finish_gravity(evaluation);
-        None
-    }
-
-    fn finish_gravity(&mut self, evaluation: Evaluation<'c>) {
-        let (start, waited) = (Instant::now(), self.comm.wait_seconds());
-        let fields = evaluation.finish();
-        if let Some(own) = self.settings.gravity.and_then(|gravity| gravity.own) {
-            own.keep(&mut self.columns, &fields, &mut self.counters.gravity);
-        }
-        // Waits for other ranks are no load of this one.
-        let waited = self.comm.wait_seconds() - waited;
-        self.phases.seconds[Phase::Gravity as usize] -= waited;
-        self.phases.seconds[Phase::Wait as usize] += waited;
-        self.phases.add(Phase::Gravity, start);
-        self.neighbourhood.poll();
-    }
-
-    fn evaluate_chunks(&mut self, items: &[u32], dt: f64) {
+    fn evaluate_chunks(&mut self, items: &[u32], moment: &Moment) {
         let (registry, count) = (Arc::clone(&self.columns.registry), self.columns.len());
-        let physics = physics(&self.settings, &registry, &self.counters);
+        let passes = Passes { settings: &self.settings, registry: &registry };
         let rows = Rows {
             records: bytemuck::cast_slice(&self.records),
             offsets: &self.neighbourhood.list.offsets,
@@ -348,7 +382,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.workers.each(items, |chunk, workspace| {
             // SAFETY: each chunk is worked on once per pass, and chunks do not overlap.
             let chunk = unsafe { chunks.chunk(chunk_range(chunk, count)) };
-            physics.evaluate(&chunk, &rows, dt, workspace);
+            passes.evaluate(&chunk, &rows, moment, workspace);
         });
         self.pointers = chunks.into_pointers();
     }
@@ -371,55 +405,12 @@ impl<'c, const D: usize> Stepper<'c, D> {
         });
     }
 
-    /// One answer of all ranks after prediction: the largest share of the skin that is used up. Nothing that is no number goes
-    /// on to a neighbour. Collective.
-    pub(super) fn agree_on_particles(&mut self, used: f64) -> Result<f64, Failure> {
-        let mut bad = None;
-        self.workers.collect(|workspace| bad = Bad::first(bad.take(), workspace.take_bad()));
-        let mut values = [if bad.is_none() { used } else { 0.0 }, bad.is_some() as u32 as f64];
-        let start = Instant::now();
-        self.comm.all_max(&mut values);
-        self.phases.add(Phase::Reduce, start);
-        if values[1] > 0.0 {
-            return Err(Failure::of_ranks(bad.as_ref(), self.counters.steps, self.comm));
-        }
-        Ok(values[0])
-    }
-
-    /// One answer of all ranks after an evaluation: the next step, a particle gone bad, a wish to stop.
-    pub(super) fn agree(&mut self, signal: u32) -> Result<Agreed, Failure> {
-        let bad = self.bad.is_some() as u32 as f64;
-        let Flight { forward, backward, thin } = self.flight;
-        let mut values = [self.limit.dt, -bad, -(signal as f64), thin, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-        for (value, v) in values[4..].iter_mut().zip(forward.into_iter().chain(backward)) {
-            *value = -v;
-        }
-        let start = Instant::now();
-        self.comm.all_min(&mut values);
-        self.phases.add(Phase::Reduce, start);
-        let [mut dt, bad, signal, thin, rest @ ..] = values;
-        if bad < 0.0 {
-            return Err(Failure::of_ranks(self.bad.as_ref(), self.counters.steps, self.comm));
-        }
-        let velocities = rest.map(|v| -v);
-        let fastest = closing::relative(&velocities[..D], &velocities[3..3 + D]);
-        // Otherwise nothing moves by as much as the limit of what closes allows.
-        if fastest * dt > self.settings.cfl * thin {
-            dt = dt.min(self.closing(fastest));
-        }
-        if !(dt > 0.0 && dt.is_finite()) {
-            let what = format!("no finite time step: {dt} s");
-            return Err(Failure { step: self.counters.steps, particle: None, what });
-        }
-        Ok(Agreed { dt, signal: -signal as u32 })
-    }
-
     /// The longest step in which nothing flies into each other unseen, s. Collective.
     fn closing(&mut self, fastest: f64) -> f64 {
         let start = Instant::now();
         let found = self.neighbourhood.closing(&self.columns, &self.settings, fastest, self.comm);
         if let Some(particle) = found.particle {
-            let Core { id, position, .. } = self.settings.core;
+            let Core { id, position, .. } = self.settings.view.core;
             let (id, position) = (self.columns.get(id, particle), self.columns.get(position, particle).into());
             self.limit = self.limit.tighter(Limit { dt: found.dt, reason: Limit::CLOSING, id, position });
         }
@@ -434,11 +425,15 @@ impl<'c, const D: usize> Stepper<'c, D> {
 
     /// New lists; `fresh` from the present positions, otherwise from those of the last build.
     pub(super) fn rebuild(&mut self, fresh: bool) {
-        self.resting = false;
+        self.released = false;
         let start = Instant::now();
         if fresh {
-            self.neighbourhood.start_afresh(&mut self.columns);
-            let rebisected = self.neighbourhood.balance(&self.columns, &self.phases, &self.counters, self.comm);
+            self.neighbourhood.start_afresh(&mut self.columns, &self.settings);
+            let rebisected = self.neighbourhood.balance(
+                &self.columns,
+                &Load { phases: &self.phases, steps: self.coming() },
+                self.comm,
+            );
             self.counters.list_builds += 1;
             self.counters.rebisections += rebisected as u64;
         }
@@ -461,7 +456,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
             }
             if with_ghosts { self.boundary.push(chunk) } else { self.interior.push(chunk) }
         }
-        let layout = self.settings.pair_loop.layout;
+        let layout = *self.settings.pair_loop.layout();
         let lines = layout.stride() / 8;
         let needed = (self.neighbourhood.local().count + 1) * lines;
         if self.records.capacity() < needed {
@@ -472,25 +467,5 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let padding = self.neighbourhood.local().count * layout.stride();
         layout
             .padding(&mut bytemuck::cast_slice_mut::<Line, f64>(&mut self.records)[padding..padding + layout.stride()]);
-    }
-}
-
-fn physics<'a>(
-    settings: &'a StepSettings,
-    registry: &'a crate::particles::Registry,
-    counters: &Counters,
-) -> Physics<'a> {
-    Physics {
-        registry,
-        core: &settings.core,
-        constants: &settings.constants,
-        effects: &settings.effects,
-        packer: &settings.packer,
-        pair_loop: &settings.pair_loop,
-        motions: settings.motions.as_ref(),
-        gravity: settings.gravity.as_ref(),
-        gravity_age: counters.gravity.age.unwrap_or(0.0),
-        cfl: settings.cfl,
-        now: counters.time,
     }
 }

@@ -7,6 +7,7 @@
 //!
 //! and the limits of the material effects. Minima do not depend on order, so neither does the step.
 
+use crate::material::Viscosity;
 use crate::particles::ParticleId;
 
 /// Who limits the step.
@@ -39,8 +40,8 @@ impl Limit {
 
 /// Signal-speed limit of one particle, s.
 #[inline]
-pub fn cfl(factor: f64, h: f64, sound_speed: f64, alpha_beta: (f64, f64), approach: f64) -> f64 {
-    let (alpha, beta) = alpha_beta;
+pub fn cfl(factor: f64, h: f64, sound_speed: f64, viscosity: Viscosity, approach: f64) -> f64 {
+    let Viscosity { alpha, beta } = viscosity;
     factor * h / (sound_speed + 0.6 * (alpha * sound_speed + beta * approach))
 }
 

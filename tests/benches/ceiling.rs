@@ -15,7 +15,7 @@ use std::hint::black_box;
 use sph_mpi::kernel::{CubicSpline, Kernel, SUPPORT, Shape};
 use sph_mpi::math::lanes::{Avx2, Avx512, LANES, Lanes, Portable, Width, width};
 use sph_mpi::neighbours::NeighbourList;
-use sph_mpi::pair::record::{Viscosity, set_half};
+use sph_mpi::pair::record::{PressureGradient, StressTerm, TensorGradient, ViscousTerm, set_half};
 use sph_mpi::pair::rows::Constants;
 use sph_mpi::pair::{Layout, PairLoop, RowSums, Rows, Terms, artificial_stress};
 use sph_mpi::particles::chunk::CHUNK;
@@ -360,21 +360,16 @@ struct ProgramLoop {
 }
 
 fn program_loops(particles: &[Particle], neighbourhoods: [&Neighbourhood; 2]) -> Vec<ProgramLoop> {
-    let gas = Terms {
-        tensor: false,
-        viscosity: Viscosity::SameBeta,
-        artificial_stress: false,
-        correction: false,
-        no_torque: false,
-        contrast: false,
-    };
-    let solid = Terms { tensor: true, correction: true, ..gas };
-    let tensile = Terms { artificial_stress: true, ..solid };
+    let viscosity = ViscousTerm::SameBeta;
+    let terms = |stress| Terms { stress, viscosity };
+    let gas = terms(StressTerm::Pressure { gradient: PressureGradient::Plain });
+    let gradient = TensorGradient::Corrected { contrast: false, angular_momentum: false };
+    let [solid, tensile] = [false, true].map(|artificial| terms(StressTerm::Tensor { artificial, gradient }));
     let kernel = Kernel::CubicSpline;
     let constants = Constants { beta: 3.0, artificial_reference: artificial_stress::reference(kernel, 1.2) };
     let program_loop = |(name, terms)| {
         let pair_loop = PairLoop::new(3, terms, kernel, constants);
-        let records = neighbourhoods.map(|n| program_records(&pair_loop.layout, particles, n));
+        let records = neighbourhoods.map(|n| program_records(pair_loop.layout(), particles, n));
         ProgramLoop { name, pair_loop, records }
     };
     [("gas", gas), ("solid, corrected", solid), ("the same, artificial stress", tensile)].map(program_loop).into()
@@ -395,7 +390,7 @@ fn program_records(layout: &Layout, particles: &[Particle], neighbourhood: &Neig
         set_half(record, layout.density(), p.density);
         set_half(record, layout.h_inverse(), 1.0 / p.smoothing_length);
         set_half(record, layout.alpha_c(), 1.5 * p.sound_speed);
-        if layout.terms.artificial_stress {
+        if layout.terms.artificial_stress() {
             (0..layout.tensor_words()).for_each(|k| set_half(record, layout.artificial() + k, 0.2 * draw(8 + k)));
         }
     }

@@ -36,7 +36,8 @@ until = "1 s"
 
 fn stepper(comm: &Comm) -> Stepper<'_, 3> {
     let scene = Scene::parse("ball.toml", BALL, &[]).expect("a valid scene");
-    let plan = setup::plan(&scene, setup::count_particles(&scene, comm).expect("particles"));
+    let counts = setup::count_particles(&scene, comm).expect("particles");
+    let plan = setup::plan(&scene, counts).expect("a plan");
     let (columns, settings) = plan.populate(&scene, comm).expect("no modes");
     let mut stepper = Stepper::new(comm, columns, settings);
     stepper.start().expect("a first step");
@@ -61,7 +62,7 @@ fn parts(criterion: &mut Criterion) {
     let mut ball = stepper(&comm);
     let dt = 1e-9;
     let step = |ball: &mut Stepper<'_, 3>| {
-        ball.step(dt, 0).expect("a step");
+        ball.step(dt, 0.0, 0).expect("a step");
     };
     let particles = ball.columns.len() as u64;
 
@@ -70,7 +71,7 @@ fn parts(criterion: &mut Criterion) {
     for (name, timed) in [("pair_pass", Phase::Pairs), ("material_update", Phase::Predict), ("pack", Phase::Pack)] {
         group.bench_function(name, |bencher| bencher.iter_custom(|calls| phase(&mut ball, timed, calls, step)));
     }
-    let rebuild = |ball: &mut Stepper<'_, 3>| ball.resume();
+    let rebuild = |ball: &mut Stepper<'_, 3>| ball.resume(ball.state.clone());
     group.bench_function("list_building", |bencher| {
         bencher.iter_custom(|calls| phase(&mut ball, Phase::Lists, calls, rebuild));
     });

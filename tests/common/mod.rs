@@ -12,8 +12,8 @@ use sph_mpi::math::Vec3;
 use sph_mpi::particles::{Column, Columns, Element};
 use sph_mpi::scene::Scene;
 use sph_mpi::simulation::setup::{self, Plan};
+use sph_mpi::step::StepSettings;
 use sph_mpi::step::Stepper;
-use sph_mpi::step::stepper::StepSettings;
 use tempfile::TempDir;
 
 /// The program under test.
@@ -435,24 +435,27 @@ impl<'c, const D: usize> ByHand<'c, D> {
     ) -> Self {
         let changes: Vec<String> = changes.iter().map(|change| change.to_string()).collect();
         let scene = Scene::parse("scene.toml", text, &changes).unwrap_or_else(|e| panic!("{e}\n{text}"));
-        let plan: Plan = setup::plan(&scene, setup::count_particles(&scene, comm).expect("particles"));
+        let counts = setup::count_particles(&scene, comm).expect("particles");
+        let plan: Plan = setup::plan(&scene, counts).expect("effects that have what they need");
         let (mut columns, mut settings) = plan.populate(&scene, comm).expect("a scene that can start");
         prepare(&mut columns, &mut settings, &scene);
         let mut stepper = Stepper::new(comm, columns, settings);
-        let dt = stepper.start().expect("a first evaluation").dt;
+        stepper.start().expect("a first evaluation");
+        let dt = stepper.state.next;
         Self { scene, stepper, time: 0.0, dt }
     }
 
     /// Evaluates once more, after particles were changed by hand.
     pub fn evaluate(&mut self) {
-        self.dt = self.stepper.step(0.0, 0).expect("an evaluation").dt;
+        self.dt = self.stepper.step(0.0, self.time, 0).expect("an evaluation").dt;
     }
 
     /// One step, of at most `most` seconds.
     pub fn step(&mut self, most: f64) {
         let dt = self.dt.min(most);
-        self.dt = self.stepper.step(dt, 0).expect("a step").dt;
-        self.time += dt;
+        let stepped = self.stepper.step(dt, self.time + dt, 0).expect("a step");
+        self.dt = stepped.dt;
+        self.time += stepped.taken;
     }
 
     /// Steps to the time `end`, s, and looks at every step.
@@ -464,7 +467,7 @@ impl<'c, const D: usize> ByHand<'c, D> {
     }
 
     pub fn steps(&self) -> u64 {
-        self.stepper.counters.steps
+        self.stepper.state.step
     }
 
     pub fn particles(&self) -> std::ops::Range<usize> {
@@ -490,12 +493,12 @@ impl<'c, const D: usize> ByHand<'c, D> {
     }
 
     pub fn id(&self, i: usize) -> u64 {
-        self.stepper.columns.get(self.stepper.settings.core.id, i).0
+        self.stepper.columns.get(self.stepper.settings.view.core.id, i).0
     }
 
     /// Number of the particle's body.
     pub fn body(&self, i: usize) -> usize {
-        self.stepper.columns.get(self.stepper.settings.core.id, i).body()
+        self.stepper.columns.get(self.stepper.settings.view.core.id, i).body()
     }
 
     pub fn position(&self, i: usize) -> Vec3 {

@@ -7,7 +7,6 @@ use super::bodies::Bodies;
 use super::cells::{Cell, DEEPEST};
 use super::expansions::{add_body, add_moved, row};
 use super::indices::{MOST, count};
-use super::opening::Side;
 
 /// Cells with more bodies than this are split.
 pub const LEAF: usize = 16;
@@ -27,6 +26,20 @@ pub struct Body {
     /// Smoothing length h; softening ends at 2h.
     pub softening: f64,
     /// How large its acceleration is about, against which errors are measured.
+    pub acceleration: f64,
+}
+
+/// What decides whether a cell is far enough from another to act as an expansion.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Side {
+    /// kg.
+    pub mass: f64,
+    /// No body is farther from the centre of mass.
+    pub radius: f64,
+    /// Largest softening of its bodies.
+    pub softening: f64,
+    /// Least acceleration of its bodies, over G.
     pub acceleration: f64,
 }
 

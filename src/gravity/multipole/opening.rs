@@ -15,21 +15,7 @@
 use bytemuck::{Pod, Zeroable};
 
 use super::cells::{Cell, DEEPEST};
-use super::octree::{Node, Octree};
-
-/// One of two cells as the test sees it.
-#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
-#[repr(C)]
-pub struct Side {
-    /// kg.
-    pub mass: f64,
-    /// No body is farther from the centre of mass.
-    pub radius: f64,
-    /// Largest softening of its bodies.
-    pub softening: f64,
-    /// Least acceleration of its bodies, over G.
-    pub acceleration: f64,
-}
+use super::octree::{Node, Octree, Side};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Opening {

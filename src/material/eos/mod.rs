@@ -8,6 +8,7 @@
 //! Time step: none of its own; the Courant condition uses its speed of sound.
 
 pub mod ideal_gas;
+pub mod murnaghan;
 pub mod simplified_tillotson;
 pub mod tillotson;
 
@@ -17,6 +18,7 @@ use super::{Core, Late, Local, MaterialEffect, MaterialTable, PerBody, Setup, Ta
 use crate::error::Result;
 use crate::particles::{Column, ColumnInfo, Integrated, Life, Registry};
 use ideal_gas::{IdealGas, IdealGasTable};
+use murnaghan::{Murnaghan, MurnaghanTable};
 use simplified_tillotson::{SimplifiedTillotson, SimplifiedTillotsonTable};
 use tillotson::{Tillotson, TillotsonTable};
 
@@ -30,6 +32,7 @@ pub enum EosTable {
     Tillotson(TillotsonTable),
     SimplifiedTillotson(SimplifiedTillotsonTable),
     IdealGas(IdealGasTable),
+    Murnaghan(MurnaghanTable),
 }
 
 impl EosTable {
@@ -38,6 +41,7 @@ impl EosTable {
             EosTable::Tillotson(table) => Eos::Tillotson(Tillotson::new(table)),
             EosTable::SimplifiedTillotson(table) => Eos::SimplifiedTillotson(SimplifiedTillotson::new(table)),
             EosTable::IdealGas(table) => Eos::IdealGas(IdealGas::new(table)),
+            EosTable::Murnaghan(table) => Eos::Murnaghan(Murnaghan::new(table)),
         }
     }
 }
@@ -48,6 +52,7 @@ impl Table for EosTable {
             EosTable::Tillotson(table) => table.validate(&format!("{place}.tillotson")),
             EosTable::SimplifiedTillotson(table) => table.validate(&format!("{place}.simplified_tillotson")),
             EosTable::IdealGas(table) => table.validate(&format!("{place}.ideal_gas")),
+            EosTable::Murnaghan(table) => table.validate(&format!("{place}.murnaghan")),
         }
     }
 }
@@ -58,9 +63,15 @@ pub enum Eos {
     Tillotson(Tillotson),
     SimplifiedTillotson(SimplifiedTillotson),
     IdealGas(IdealGas),
+    Murnaghan(Murnaghan),
 }
 
 impl Eos {
+    /// Whether pressure follows from density alone, so that no internal energy is needed.
+    pub fn is_cold(&self) -> bool {
+        matches!(self, Eos::Murnaghan(_))
+    }
+
     /// Pressure, Pa, and bulk speed of sound, m/s, at density `rho`, kg/m^3, and internal energy `u`, J/kg.
     #[inline]
     pub fn pressure(&self, rho: f64, u: f64) -> (f64, f64) {
@@ -68,6 +79,7 @@ impl Eos {
             Eos::Tillotson(law) => law.pressure(rho, u),
             Eos::SimplifiedTillotson(law) => law.pressure(rho, u),
             Eos::IdealGas(law) => law.pressure(rho, u),
+            Eos::Murnaghan(law) => law.pressure(rho),
         }
     }
 
@@ -78,6 +90,7 @@ impl Eos {
             Eos::Tillotson(law) => law.slopes(rho, u),
             Eos::SimplifiedTillotson(law) => law.slopes(rho, u),
             Eos::IdealGas(law) => law.slopes(rho, u),
+            Eos::Murnaghan(law) => law.slopes(rho),
         }
     }
 
@@ -86,6 +99,7 @@ impl Eos {
         match self {
             Eos::Tillotson(law) => Some(law.reference_density()),
             Eos::SimplifiedTillotson(law) => Some(law.reference_density()),
+            Eos::Murnaghan(law) => Some(law.reference_density()),
             Eos::IdealGas(_) => None,
         }
     }
@@ -95,6 +109,7 @@ impl Eos {
         match self {
             Eos::Tillotson(law) => Some(law.bulk_modulus()),
             Eos::SimplifiedTillotson(law) => Some(law.bulk_modulus()),
+            Eos::Murnaghan(law) => Some(law.bulk_modulus()),
             Eos::IdealGas(_) => None,
         }
     }
@@ -103,7 +118,7 @@ impl Eos {
     pub fn vaporisation(&self) -> Option<[f64; 2]> {
         match self {
             Eos::Tillotson(law) => Some(law.vaporisation()),
-            Eos::SimplifiedTillotson(_) | Eos::IdealGas(_) => None,
+            Eos::SimplifiedTillotson(_) | Eos::IdealGas(_) | Eos::Murnaghan(_) => None,
         }
     }
 }
@@ -158,28 +173,32 @@ fn fading(state: Slopes, eta: f64, inverse_rho_0: f64) -> Slopes {
     }
 }
 
-/// Internal energy of every particle, pressure and speed of sound of those that are not porous; always present.
+/// Pressure and speed of sound of the particles that are not porous, and the internal energy of all, unless every law of the scene
+/// is cold; always present.
 pub struct EquationOfState {
     /// `None` where all bodies are porous.
     laws: Option<PerBody<Eos>>,
     density: Column<f64>,
-    energy: Integrated<f64>,
+    energy: Option<Integrated<f64>>,
     pressure: Column<f64>,
     sound_speed: Column<f64>,
 }
 
 impl MaterialEffect for EquationOfState {
-    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Option<Self> {
+    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Result<Option<Self>> {
         let laws = PerBody::new(setup, |_, material| material.porosity.is_none().then(|| material.eos.law()));
-        let energy = registry.owner("eos").integrated(ColumnInfo {
-            name: INTERNAL_ENERGY,
-            unit: "J/kg",
-            about: "Specific internal energy.",
-            life: Life::State,
-            snapshot: true,
+        let cold = setup.body_material.iter().all(|&material| setup.materials[material].eos.law().is_cold());
+        let energy = (!cold).then(|| {
+            registry.owner("eos").integrated(ColumnInfo {
+                name: INTERNAL_ENERGY,
+                unit: "J/kg",
+                about: "Specific internal energy.",
+                life: Life::State,
+                snapshot: true,
+            })
         });
         let (density, pressure, sound_speed) = (core.density.value, core.pressure, core.sound_speed);
-        Some(Self { laws, density, energy, pressure, sound_speed })
+        Ok(Some(Self { laws, density, energy, pressure, sound_speed }))
     }
 
     fn name(&self) -> &'static str {
@@ -192,14 +211,14 @@ impl MaterialEffect for EquationOfState {
     }
 
     fn rates(&self, local: &Local) {
-        let rate = local.new_rate(self.energy);
+        let Some(rate) = self.energy.map(|energy| local.rate(energy)) else { return };
         for (i, motion) in local.motion.iter().enumerate() {
             rate.set(i, motion.heating);
         }
     }
 
     fn update(&self, local: &Local) {
-        let (density, energy) = (local.view(self.density), local.view(self.energy.value));
+        let (density, energy) = (local.view(self.density), local.optional(self.energy.map(|energy| energy.value)));
         let (pressure, sound_speed) = (local.view(self.pressure), local.view(self.sound_speed));
         let set = |i: usize, (p, c): (f64, f64)| {
             pressure.set(i, p);
@@ -212,6 +231,7 @@ impl MaterialEffect for EquationOfState {
                 Eos::Tillotson(law) => range.for_each(|i| set(i, law.pressure(state(i).0, state(i).1))),
                 Eos::SimplifiedTillotson(law) => range.for_each(|i| set(i, law.pressure(state(i).0, state(i).1))),
                 Eos::IdealGas(law) => range.for_each(|i| set(i, law.pressure(state(i).0, state(i).1))),
+                Eos::Murnaghan(law) => range.for_each(|i| set(i, law.pressure(density.get(i)))),
             }
         }
     }
@@ -246,6 +266,28 @@ mod tests {
             rig.step(&Mat3::from_diagonal_element(-0.1), 1e-3);
         }
         assert!((entropy(&rig) / before - 1.0).abs() < 1e-6, "{}", entropy(&rig) / before);
+    }
+
+    /// A scene of cold matter has no column of energy, and heat that something asks for there is missed.
+    #[test]
+    fn cold_matter_has_no_energy() {
+        let material = |more: &str| -> MaterialTable {
+            toml::from_str(&format!("eos = {{ murnaghan = {{ rho_0 = 2540, K_0 = 5e9, n = 4 }} }}\n{more}")).unwrap()
+        };
+        let mut rig = Rig::new(material("strength = { shear_modulus = 3e9, yield_strength = 1e8 }"));
+        assert!(rig.columns.registry.find::<f64>(INTERNAL_ENERGY).is_none());
+        rig.step(&Mat3::from_diagonal_element(-0.1), 0.0);
+        for _ in 0..10 {
+            rig.step(&Mat3::from_diagonal_element(-0.1), 0.01);
+        }
+        // ln(rho / rho_0) is 0.03.
+        let exact = 1.25e9 * (libm::exp(0.12) - 1.0);
+        assert!((rig.get(rig.core.pressure) / exact - 1.0).abs() < 1e-3, "{}", rig.get(rig.core.pressure));
+        let melting = "strength = { shear_modulus = 3e9, yield_strength = 1e8, melting = { energy = 1e6 } }";
+        assert!(Rig::try_new(vec![material(melting)], Default::default(), 0.0).is_err());
+        let records = super::super::Records { melt_fraction: true, ..Default::default() };
+        assert!(Rig::try_new(vec![material("")], records, 0.0).is_err());
+        assert!(Rig::try_new(vec![material(""), basalt()], records, 0.0).is_ok());
     }
 
     #[test]

@@ -15,25 +15,23 @@
 //!
 //! How many flaws a particle has, and at which strains they open, see `flaws`.
 //!
-//! Damage acts through a view of the stress, [`damaged_stress`], and is never written back into it; on shear of matter with friction
+//! Damage acts through a view of the stress (see `damage`) and is never written back into it; on shear of matter with friction
 //! through its yield strength alone (see `strength`).
-//! Columns: owns `damage` and `activation_threshold`. D grows in `update` alone and never decreases.
+//! Columns: owns `damage` and `activation_threshold`. D grows in `commit` alone and never decreases.
 //! Time step: none; at a Courant number of 0.25 and with 12 active flaws D^(1/3) grows by 0.11 per step.
 
 pub mod flaws;
 
 use serde::{Deserialize, Serialize};
 
+use super::damage::damage_column;
 use super::setup::{Table, all_positive};
 use super::{Core, Diagnostic, Local, MaterialEffect, MaterialTable, PerBody, Setup, porosity, strength};
 use crate::error::{Error, Result};
-use crate::math::{Deviator, Sym};
+use crate::math::Deviator;
 use crate::particles::{Column, ColumnInfo, Columns, Life, ParticleId, Registry};
 use crate::units::{Number, NumberDensity};
 use flaws::Flaws;
-
-/// Name of the column that the pair loop reads.
-pub const DAMAGE: &str = "damage";
 
 /// Crack speed over the longitudinal speed of sound.
 const CRACK_SPEED: f64 = 0.4;
@@ -74,34 +72,6 @@ impl Table for FractureTable {
         }
         Ok(())
     }
-}
-
-/// The stress that acts, where `s` and `pressure` are those of undamaged matter: (1 - D) S - P_D 1, with P_D = (1 - D)
-/// P in tension and P in compression (Jutzi et al. 2008, eq. 36, for tension). With `friction` S has the damage in it already
-/// (Jutzi 2015, see `strength`). The pair sums and their energy use this view.
-#[inline]
-pub fn damaged_stress(s: &Deviator, pressure: f64, damage: f64, friction: bool) -> Sym {
-    s.with_mean(if friction { 1.0 } else { 1.0 - damage }, -damaged_pressure(pressure, damage))
-}
-
-/// P_D alone: broken matter does not pull.
-#[inline]
-pub fn damaged_pressure(pressure: f64, damage: f64) -> f64 {
-    if pressure < 0.0 { (1.0 - damage) * pressure } else { pressure }
-}
-
-/// Declares the column of the damage, or finds it: strength with friction needs it before fracture does.
-pub fn damage_column(registry: &mut Registry) -> Column<f64> {
-    registry.find(DAMAGE).unwrap_or_else(|| {
-        let about = "Damage, 0 intact to 1 broken.";
-        registry.owner("fracture").column(ColumnInfo {
-            name: DAMAGE,
-            unit: "",
-            about,
-            life: Life::State,
-            snapshot: true,
-        })
-    })
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -185,16 +155,22 @@ pub struct Fracture {
 }
 
 impl MaterialEffect for Fracture {
-    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Option<Self> {
-        let bodies = PerBody::new(setup, |body, material| Brittle::new(setup, body, material))?;
-        let stress = registry.find(strength::DEVIATORIC_STRESS)?;
-        let state = |name, about| ColumnInfo { name, unit: "", about, life: Life::State, snapshot: false };
+    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Result<Option<Self>> {
+        let Some(bodies) = PerBody::new(setup, |body, material| Brittle::new(setup, body, material)) else {
+            return Ok(None);
+        };
+        let stress = registry.need("fracture", strength::DEVIATORIC_STRESS)?;
         let pores = registry.find(porosity::DISTENTION).zip(registry.find(porosity::COMPACTION_DAMAGE));
         let damage = damage_column(registry);
         registry.owner("fracture");
-        let threshold =
-            registry.column(state("activation_threshold", "Strain at which the weakest flaw begins to grow."));
-        Some(Self { bodies, id: core.id, damage, threshold, stress, pressure: core.pressure, pores })
+        let threshold = registry.column(ColumnInfo {
+            name: "activation_threshold",
+            unit: "",
+            about: "Strain at which the weakest flaw begins to grow.",
+            life: Life::Kept,
+            snapshot: false,
+        });
+        Ok(Some(Self { bodies, id: core.id, damage, threshold, stress, pressure: core.pressure, pores }))
     }
 
     fn name(&self) -> &'static str {
@@ -212,7 +188,7 @@ impl MaterialEffect for Fracture {
         }
     }
 
-    fn update(&self, local: &Local) {
+    fn commit(&self, local: &Local) {
         let (id, damage, threshold) = (local.view(self.id), local.view(self.damage), local.view(self.threshold));
         let (stress, pressure) = (local.view(self.stress), local.view(self.pressure));
         for (brittle, range) in self.bodies.runs(local) {
@@ -257,6 +233,7 @@ impl MaterialEffect for Fracture {
 #[cfg(test)]
 mod tests {
     use super::super::BodyConstants;
+    use super::super::damage::{DAMAGE, damaged_stress};
     use super::super::testing::{Rig, basalt, gas, without_fracture};
     use super::*;
     use crate::math::Mat3;
@@ -282,19 +259,6 @@ mod tests {
         }
         assert_eq!(largest_principal(&Deviator::default()), 0.0);
         assert_eq!(largest_principal(&Deviator { xx: 2.0, yy: -1.0, ..Default::default() }), 2.0);
-    }
-
-    /// What damage leaves: all of it at D = 0, compression alone at D = 1.
-    #[test]
-    fn broken_matter_cannot_pull() {
-        let s = Deviator { xx: 3.0, yy: -1.0, xy: 0.5, xz: 0.2, yz: -0.7 };
-        assert_eq!(damaged_stress(&s, -5.0, 1.0, false), Sym::ZERO);
-        assert_eq!(damaged_stress(&s, 5.0, 1.0, false), Sym { xx: -5.0, yy: -5.0, zz: -5.0, ..Sym::ZERO });
-        assert_eq!(damaged_stress(&s, 5.0, 0.0, false), s.with_mean(1.0, -5.0));
-        assert_eq!(damaged_stress(&s, -4.0, 0.5, false), s.with_mean(0.5, 2.0));
-        // With friction the yield strength has taken from the deviator what damage takes.
-        assert_eq!(damaged_stress(&s, 5.0, 1.0, true), s.with_mean(1.0, -5.0));
-        assert_eq!(damaged_stress(&s, -4.0, 0.5, true), s.with_mean(1.0, 2.0));
     }
 
     fn brittle() -> Brittle {
@@ -436,7 +400,7 @@ mod tests {
         rig.set(rig.core.pressure, if by_shear { 0.0 } else { -pull });
         rig.each(1e-6, &[], |effect, local| {
             if effect.name() == "fracture" {
-                effect.update(local);
+                effect.commit(local);
             }
         });
         rig.get(rig.column::<f64>(DAMAGE)) > damage

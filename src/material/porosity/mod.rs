@@ -9,7 +9,8 @@
 //! P_s equation of state of the matrix, Pa; u specific internal energy, of both, J/kg; D damage.
 //!
 //! How alpha follows from density and energy, see `law`: by pressure (P-alpha), by pressure without heat (rho-alpha), by strain
-//! (epsilon-alpha). alpha never grows but along the elastic branch, and changes in `update` alone.
+//! (epsilon-alpha). alpha never grows but along the elastic branch, and changes in `update` alone, from what it was
+//! when the last step was accepted: an integrator that tries a state sets it back before it tries another.
 //!
 //! Columns: owns `distention`, `unloaded_distention` where pores are elastic, `stress_factor` (f of eq. 53, which `strength`
 //! reads), `loading_speed` where viscosity goes by it (longitudinal, of further compression; `strength` stiffens it), and, where a porous material can break, `compaction_damage` (growth of D^(1/3) in this step, which `fracture` adds to
@@ -195,21 +196,23 @@ pub struct Porosity {
     /// Where a porous material can break.
     damage: Option<Column<f64>>,
     density: Column<f64>,
-    energy: Column<f64>,
+    /// None where all equations of state are cold.
+    energy: Option<Column<f64>>,
     pressure: Column<f64>,
     sound_speed: Column<f64>,
 }
 
 impl MaterialEffect for Porosity {
-    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Option<Self> {
-        let bodies = PerBody::new(setup, |body, material| Porous::of(material, setup.constants[body].distention))?;
+    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Result<Option<Self>> {
+        let porous = |body: usize, material: &MaterialTable| Porous::of(material, setup.constants[body].distention);
+        let Some(bodies) = PerBody::new(setup, porous) else { return Ok(None) };
         let any = |holds: fn(&MaterialTable) -> bool| setup.body_material.iter().any(|&m| holds(&setup.materials[m]));
         let elastic = any(|material| {
             material.porosity.as_ref().is_some_and(|table| table.p_alpha.as_ref().is_some_and(|t| t.elastic.is_some()))
         });
         let breaks = any(|material| material.porosity.is_some() && material.has_fracture());
         let info = |name, about, life, snapshot| ColumnInfo { name, unit: "", about, life, snapshot };
-        let energy = registry.find(eos::INTERNAL_ENERGY)?;
+        let energy = registry.find(eos::INTERNAL_ENERGY);
         registry.owner("porosity");
         let distention =
             registry.column(info(DISTENTION, "Density of the matrix over that of the body.", Life::State, true));
@@ -233,7 +236,7 @@ impl MaterialEffect for Porosity {
             registry.column(info(COMPACTION_DAMAGE, about, Life::Scratch, false))
         });
         let (density, pressure, sound_speed) = (core.density.value, core.pressure, core.sound_speed);
-        Some(Self {
+        Ok(Some(Self {
             bodies,
             distention,
             unloaded,
@@ -244,7 +247,7 @@ impl MaterialEffect for Porosity {
             energy,
             pressure,
             sound_speed,
-        })
+        }))
     }
 
     fn name(&self) -> &'static str {
@@ -279,7 +282,7 @@ impl MaterialEffect for Porosity {
     }
 
     fn update(&self, local: &Local) {
-        let (density, energy) = (local.view(self.density), local.view(self.energy));
+        let (density, energy) = (local.view(self.density), local.optional(self.energy));
         let (pressure, sound_speed) = (local.view(self.pressure), local.view(self.sound_speed));
         let (distention, stress_factor) = (local.view(self.distention), local.view(self.stress_factor));
         let loading_speed = self.loading_speed.map(|column| local.view(column));
@@ -349,7 +352,8 @@ pub fn distention_rate(stress_factor: f64, divergence: f64) -> f64 {
 mod tests {
     use super::super::strength::DEVIATORIC_STRESS;
     use super::super::testing::{Rig, basalt};
-    use super::super::{Records, fracture};
+    use super::super::Records;
+    use super::super::damage::DAMAGE;
     use super::testing::material;
     use super::*;
     use crate::math::{Deviator, Mat3, Vec3};
@@ -424,7 +428,7 @@ mod tests {
     #[test]
     fn crushing_breaks() {
         let mut rig = Rig::new(porous_basalt(3.0));
-        let (damage, alpha) = (rig.column::<f64>(fracture::DAMAGE), rig.column::<f64>(DISTENTION));
+        let (damage, alpha) = (rig.column::<f64>(DAMAGE), rig.column::<f64>(DISTENTION));
         let gradient = Mat3::from_diagonal_element(-1.0);
         rig.step(&gradient, 0.0);
         let mut last = 0.0;
@@ -475,7 +479,7 @@ mod tests {
         (0..200).for_each(|_| {
             pressed.step(&Mat3::from_diagonal_element(-0.5), 1e-4);
         });
-        assert_eq!(pressed.get(pressed.column::<f64>(fracture::DAMAGE)), 0.0);
+        assert_eq!(pressed.get(pressed.column::<f64>(DAMAGE)), 0.0);
     }
 
     /// A body of its own distention, beside a solid one of the same material without pores.

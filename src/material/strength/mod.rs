@@ -28,10 +28,11 @@ mod yield_law;
 
 use serde::{Deserialize, Serialize};
 
+use super::damage::damage_column;
 use super::porosity::{PoreColumns, distention_rate};
 use super::setup::{Table, all_positive};
-use super::{Core, Late, Local, MaterialEffect, MaterialTable, PerBody, Setup, eos, fracture};
-use crate::error::Result;
+use super::{Core, Late, Local, MaterialEffect, MaterialTable, PerBody, Setup, eos};
+use crate::error::{Error, Result};
 use crate::math::{Deviator, Sym};
 use crate::particles::{Column, ColumnInfo, Integrated, Life, Registry};
 use crate::units::{Pressure, SpecificEnergy};
@@ -111,7 +112,8 @@ pub struct Strength {
     solids: PerBody<Solid>,
     stress: Integrated<Deviator>,
     density: Column<f64>,
-    energy: Column<f64>,
+    /// Where an equation of state has one; heat weakens nothing otherwise.
+    energy: Option<Column<f64>>,
     pressure: Column<f64>,
     sound_speed: Column<f64>,
     /// Where any body is porous.
@@ -121,8 +123,10 @@ pub struct Strength {
 }
 
 impl MaterialEffect for Strength {
-    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Option<Self> {
-        let solids = PerBody::new(setup, |body, material| Solid::new(setup, body, material))?;
+    fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Result<Option<Self>> {
+        let Some(solids) = PerBody::new(setup, |body, material| Solid::new(setup, body, material)) else {
+            return Ok(None);
+        };
         let pores = PoreColumns::find(registry);
         let stress = registry.owner("strength").integrated(ColumnInfo {
             name: DEVIATORIC_STRESS,
@@ -131,11 +135,14 @@ impl MaterialEffect for Strength {
             life: Life::State,
             snapshot: true,
         });
-        let energy = registry.find(eos::INTERNAL_ENERGY)?;
+        let energy = registry.find(eos::INTERNAL_ENERGY);
+        if energy.is_none() && setup.materials.iter().any(MaterialTable::melts) {
+            return Err(Error::new("strength is to melt, but no equation of state has an internal energy"));
+        }
         let breaks = |body| solids.of(body).is_some_and(|solid: &Solid| solid.friction && solid.can_break);
-        let damage = (0..setup.constants.len()).any(breaks).then(|| fracture::damage_column(registry));
+        let damage = (0..setup.constants.len()).any(breaks).then(|| damage_column(registry));
         let (density, pressure, sound_speed) = (core.density.value, core.pressure, core.sound_speed);
-        Some(Self { solids, stress, density, energy, pressure, sound_speed, pores, damage })
+        Ok(Some(Self { solids, stress, density, energy, pressure, sound_speed, pores, damage }))
     }
 
     fn name(&self) -> &'static str {
@@ -154,7 +161,7 @@ impl MaterialEffect for Strength {
     }
 
     fn rates(&self, local: &Local) {
-        let (stress, rate) = (local.view(self.stress.value), local.new_rate(self.stress));
+        let (stress, rate) = (local.view(self.stress.value), local.rate(self.stress));
         for (solid, range) in self.solids.runs(local) {
             if let Some(pores) = self.pores.filter(|_| solid.porous) {
                 self.porous_rates(local, solid, range, &pores);
@@ -169,7 +176,7 @@ impl MaterialEffect for Strength {
     }
 
     fn admit(&self, local: &Local) {
-        let (stress, energy) = (local.view(self.stress.value), local.view(self.energy));
+        let (stress, energy) = (local.view(self.stress.value), local.optional(self.energy));
         for (solid, range) in self.solids.runs(local).filter(|(solid, _)| !solid.friction) {
             for i in range {
                 if let Some(within) = returned(&stress.get(i), 3.0, solid.yields.strength(energy.get(i))) {
@@ -183,7 +190,7 @@ impl MaterialEffect for Strength {
         let (density, sound_speed) = (local.view(self.density), local.view(self.sound_speed));
         for (solid, range) in self.solids.runs(local) {
             if solid.friction {
-                self.rub(local, solid, range.clone());
+                self.return_to_yield(local, solid, range.clone());
             }
             let stiffness = 4.0 / 3.0 * solid.shear_modulus;
             if let Some(pores) = self.pores.filter(|_| solid.porous) {
@@ -210,9 +217,9 @@ impl MaterialEffect for Strength {
 }
 
 impl Strength {
-    /// Brings the stress back to what friction bears at the present pressure.
-    fn rub(&self, local: &Local, solid: &Solid, range: std::ops::Range<usize>) {
-        let (stress, energy) = (local.view(self.stress.value), local.view(self.energy));
+    /// Returns the stress to the yield surface at the present pressure.
+    fn return_to_yield(&self, local: &Local, solid: &Solid, range: std::ops::Range<usize>) {
+        let (stress, energy) = (local.view(self.stress.value), local.optional(self.energy));
         let pressure = local.view(self.pressure);
         let damage = self.damage.filter(|_| solid.can_break).map(|column| local.view(column));
         for i in range {
@@ -226,7 +233,7 @@ impl Strength {
 
     /// Rates of porous matter.
     fn porous_rates(&self, local: &Local, solid: &Solid, range: std::ops::Range<usize>, pores: &PoreColumns) {
-        let (stress, rate) = (local.view(self.stress.value), local.new_rate(self.stress));
+        let (stress, rate) = (local.view(self.stress.value), local.rate(self.stress));
         let (distention, stress_factor) = (local.view(pores.distention), local.view(pores.stress_factor));
         for i in range {
             let gradient = &local.motion[i].velocity_gradient;

@@ -59,13 +59,13 @@ impl<const D: usize> Reader<'_, '_, D> {
     /// Whether a particle is near enough to the coordinate's axis to count.
     fn is_in_core(&self, i: usize, core: Option<f64>) -> bool {
         let (Some(core), Place::Axis { along, .. }) = (core, self.place) else { return true };
-        let mut across = self.stepper.columns.get(self.stepper.settings.core.position, i);
+        let mut across = self.stepper.columns.get(self.stepper.settings.view.core.position, i);
         across[along] = 0.0;
         across.norm() <= core
     }
 
     fn sample(&self, i: usize) -> Sample {
-        let (columns, core) = (&self.stepper.columns, &self.stepper.settings.core);
+        let (columns, core) = (&self.stepper.columns, &self.stepper.settings.view.core);
         let (x, v) = (columns.get(core.position, i), columns.get(core.velocity, i));
         let pressure = columns.get(core.pressure, i);
         let (s, velocity, stress) = match self.place {
@@ -80,7 +80,7 @@ impl<const D: usize> Reader<'_, '_, D> {
                 (length, if length > 0.0 { r.dot(&v) / length } else { 0.0 }, pressure)
             }
         };
-        let mass = self.stepper.settings.constants[columns.get(core.id, i).body()].particle_mass;
+        let mass = self.stepper.settings.view.constants[columns.get(core.id, i).body()].particle_mass;
         let read = |column: Option<Column<f64>>| column.map_or(f64::NAN, |column| columns.get(column, i));
         let (internal_energy, distention) = (read(self.energy), read(self.distention));
         Sample {
@@ -121,7 +121,7 @@ pub fn compare<const D: usize>(
     let ends = [-ends[0], ends[1]];
     let mut errors = norms(profile, &samples, time, comm);
     if ends[0] < ends[1] {
-        let h = stepper.settings.constants.iter().map(|body| body.smoothing_length).fold(0.0, f64::max);
+        let h = stepper.settings.view.constants.iter().map(|body| body.smoothing_length).fold(0.0, f64::max);
         errors.extend(features(profile, time, ends, &samples, MARGIN * h, comm));
     }
     if let Some(directory) = directory {

@@ -123,12 +123,12 @@ pub fn speed<const D: usize>(rest: &Rest, stepper: &Stepper<D>, comm: &Comm) -> 
     let (columns, settings) = (&stepper.columns, &stepper.settings);
     let mut sums = [ExactSum::new(), ExactSum::new()];
     for i in 0..columns.len() {
-        let body = columns.get(settings.core.id, i).body();
+        let body = columns.get(settings.view.core.id, i).body();
         if settings.motions.as_ref().is_some_and(|motions| motions.holds(columns, i, body)) {
             continue;
         }
-        let mass = settings.constants[body].particle_mass;
-        sums[0].add(mass * columns.get(settings.core.velocity, i).norm_squared());
+        let mass = settings.view.constants[body].particle_mass;
+        sums[0].add(mass * columns.get(settings.view.core.velocity, i).norm_squared());
         sums[1].add(mass);
     }
     let sums = sum_over_ranks(&mut sums, comm);
@@ -159,11 +159,11 @@ fn pressures<const D: usize>(field: &Field, stepper: &Stepper<D>, comm: &Comm) -
     // Of each stretch: V, V (P - P exact); of all: (P - P exact)^2, number.
     let mut sums = vec![ExactSum::new(); 2 * STRETCHES + 2];
     for i in 0..columns.len() {
-        let (depth, exact) = field.at(&columns.get(settings.core.position, i));
+        let (depth, exact) = field.at(&columns.get(settings.view.core.position, i));
         let s = deviator.map_or(Deviator::default(), |column| columns.get(column, i));
-        let off = field.borne(columns.get(settings.core.pressure, i), &s) / field.most() - exact;
-        let body = columns.get(settings.core.id, i).body();
-        let volume = settings.constants[body].particle_mass / columns.get(settings.core.density.value, i);
+        let off = field.borne(columns.get(settings.view.core.pressure, i), &s) / field.most() - exact;
+        let body = columns.get(settings.view.core.id, i).body();
+        let volume = settings.view.constants[body].particle_mass / columns.get(settings.view.core.density.value, i);
         let stretch = ((STRETCHES as f64 * depth).max(0.0) as usize).min(STRETCHES - 1);
         sums[2 * stretch].add(volume);
         sums[2 * stretch + 1].add(volume * off);

@@ -23,10 +23,10 @@ use crate::step::diagnostics::sum_over_ranks;
 pub fn amplitude<const D: usize>(swing: &Swing, stepper: &Stepper<D>, comm: &Comm) -> f64 {
     let (columns, settings) = (&stepper.columns, &stepper.settings);
     let mut sums = [ExactSum::new(), ExactSum::new()];
-    let mass = settings.constants[swing.body].particle_mass;
-    for i in (0..columns.len()).filter(|&i| columns.get(settings.core.id, i).body() == swing.body) {
-        let shape = Vec3::from((swing.shape)(columns.get(settings.core.position, i).into()));
-        sums[0].add(mass * columns.get(settings.core.velocity, i).dot(&shape));
+    let mass = settings.view.constants[swing.body].particle_mass;
+    for i in (0..columns.len()).filter(|&i| columns.get(settings.view.core.id, i).body() == swing.body) {
+        let shape = Vec3::from((swing.shape)(columns.get(settings.view.core.position, i).into()));
+        sums[0].add(mass * columns.get(settings.view.core.velocity, i).dot(&shape));
         sums[1].add(mass * shape.norm_squared());
     }
     let sums = sum_over_ranks(&mut sums, comm);

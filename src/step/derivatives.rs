@@ -1,0 +1,199 @@
+//! From the state of a chunk and the records of its neighbours to rates: accelerations, rates of every integrated column, and the
+//! step that they allow. Nothing of the state changes here.
+
+use super::failure;
+use super::pack::read_stress;
+use super::settings::{Moment, StepSettings};
+use super::time_step::{self, Limit};
+use super::workspace::Workspace;
+use crate::material::{Local, Motion};
+use crate::math::{Mat3, Sym};
+use crate::motion::{DampingLimit, Moving};
+use crate::pair::record::half;
+use crate::pair::{Layout, RowSums, Rows, correction, torque};
+use crate::particles::{Chunk, Registry};
+
+/// Rows of a chunk that are summed between two requests for columns.
+const ROWS_PER_FETCH: usize = 32;
+
+/// Evaluates the rates of a chunk whose records stand in `rows`; false where one of them is not finite, which is then noted.
+pub fn evaluate(
+    settings: &StepSettings,
+    registry: &Registry,
+    (chunk, rows): (&Chunk, &Rows),
+    moment: &Moment,
+    workspace: &mut Workspace,
+) -> bool {
+    let derivatives = Derivatives { settings, registry, chunk, moment };
+    derivatives.evaluate(rows, workspace)
+}
+
+struct Derivatives<'a> {
+    settings: &'a StepSettings,
+    registry: &'a Registry,
+    chunk: &'a Chunk<'a>,
+    moment: &'a Moment,
+}
+
+impl Derivatives<'_> {
+    fn evaluate(&self, rows: &Rows, workspace: &mut Workspace) -> bool {
+        let (chunk, settings) = (self.chunk, self.settings);
+        // While pairs are summed, the columns that their sums will change come from memory.
+        let mut sums = workspace.sums.chunks_mut(ROWS_PER_FETCH);
+        for start in chunk.range.clone().step_by(ROWS_PER_FETCH) {
+            let rows_now = start..(start + ROWS_PER_FETCH).min(chunk.range.end);
+            let sums = sums.next().expect("sums for each row of a chunk");
+            chunk.fetch(start - chunk.range.start..rows_now.end - chunk.range.start);
+            settings.pair_loop.sum(rows, rows_now, sums);
+        }
+        self.find_motion(rows, workspace);
+        workspace.rates.clear();
+        if let Some(gravity) = &settings.gravity {
+            gravity.add(chunk, self.moment.gravity_age, self.registry.dimension, &workspace.rates);
+        }
+        let damping = self.constrain(workspace);
+        let local = local(settings, chunk, workspace, 0.0);
+        workspace.each_effect(&settings.effects, |effect| effect.rates(&local));
+        let limit = self.step_limit(&local, workspace, damping);
+        if !workspace.rates.are_finite(chunk.len(), self.registry.dimension) {
+            let found = failure::first_non_finite_rate(settings, self.registry, &local);
+            workspace.found.non_finite = failure::NonFinite::first(workspace.found.non_finite.take(), found);
+            return false;
+        }
+        workspace.found.limit = workspace.found.limit.tighter(limit);
+        true
+    }
+
+    /// Acceleration, velocity gradient and heating of each row.
+    fn find_motion(&self, rows: &Rows, workspace: &mut Workspace) {
+        let layout = &self.settings.pair_loop.layout();
+        let dimension = layout.dimension;
+        let stride = layout.stride();
+        for (k, i) in self.chunk.range.clone().enumerate() {
+            let (sums, body) = (&workspace.sums[k], workspace.bodies[k] as usize);
+            let record = &rows.records[rows.slots[i] as usize * stride..][..stride];
+            let inverse_density = record[layout.volume()] / self.settings.view.constants[body].particle_mass;
+            for a in 0..dimension {
+                workspace.rates.acceleration[k * dimension + a].set(inverse_density * sums.force[a]);
+            }
+            let raw = gradient(dimension, &sums.gradient);
+            let mut work = contract(&read_stress(layout, record), &raw);
+            if layout.terms.angular_momentum() {
+                let axial = |k: usize| half(record, layout.axial() + k);
+                work += match dimension {
+                    2 => torque::heating::<2>(&[axial(0)], &sums.gradient),
+                    _ => torque::heating::<3>(&[axial(0), axial(1), axial(2)], &sums.gradient),
+                };
+            }
+            let heating = inverse_density * (work + 0.5 * sums.dissipation);
+            let velocity_gradient = match sums.neighbours {
+                0 => Mat3::from_diagonal_element(self.unloading(k, body)),
+                _ => corrected(layout, &raw, sums),
+            };
+            workspace.motion[k] = Motion { velocity_gradient, heating };
+            workspace.found.pairs += sums.neighbours as u64;
+        }
+    }
+
+    /// The expansion, 1/s along each axis, by which a particle that has lost all neighbours lets go of its pressure, of either sign: at its
+    /// speed of sound over h, in ten steps or more, so that it limits no step. Without it the pressure of its last contact would
+    /// stay for good. Its energy stays, as nothing takes up work.
+    fn unloading(&self, k: usize, body: usize) -> f64 {
+        let (view, dt) = (&self.settings.view, self.moment.dt);
+        let at = |column| self.chunk.view(column).get(k);
+        let (pressure, c) = (at(view.core.pressure), at(view.core.sound_speed));
+        if !(c > 0.0 && dt > 0.0) {
+            return 0.0;
+        }
+        let h = view.smoothing_length(self.chunk, k, body);
+        let rate = pressure / (at(view.core.density.value) * c * h);
+        rate.clamp(-0.1 / dt, 0.1 / dt) / self.registry.dimension as f64
+    }
+
+    /// Motion as the scene prescribes it.
+    fn constrain(&self, workspace: &Workspace) -> Option<DampingLimit> {
+        let motions = self.settings.motions.as_ref()?;
+        let velocity = self.settings.view.core.velocity;
+        let moving = Moving { chunk: self.chunk, velocity, bodies: &workspace.bodies, now: self.moment.time };
+        match self.registry.dimension {
+            2 => motions.constrain::<2>(&moving, &workspace.rates),
+            _ => motions.constrain::<3>(&moving, &workspace.rates),
+        }
+    }
+
+    fn step_limit(&self, local: &Local, workspace: &Workspace, damping: Option<DampingLimit>) -> Limit {
+        let StepSettings { view, cfl: courant, effects, .. } = self.settings;
+        let (chunk, core, dimension) = (self.chunk, &view.core, self.registry.dimension);
+        let sound_speed = chunk.view(core.sound_speed);
+        let mut best = damping.map_or((f64::INFINITY, 0, Limit::CFL), |held| (held.dt, held.particle, Limit::MOTION));
+        for k in 0..chunk.len() {
+            let body = workspace.bodies[k] as usize;
+            let h = view.smoothing_length(chunk, k, body);
+            let a = &workspace.rates.acceleration[k * dimension..(k + 1) * dimension];
+            let a2: f64 = a.iter().map(|a| a.get() * a.get()).sum();
+            let sums = &workspace.sums[k];
+            // A particle alone sends no signal to anyone, however hot it is.
+            let alone = sums.neighbours == 0;
+            let cfl = time_step::cfl(*courant, h, sound_speed.get(k), view.viscosity(body), sums.approach);
+            let cfl = if alone { f64::INFINITY } else { cfl };
+            let acceleration = time_step::acceleration(*courant, h, a2);
+            if cfl < best.0 {
+                best = (cfl, k, Limit::CFL);
+            }
+            if acceleration < best.0 {
+                best = (acceleration, k, Limit::ACCELERATION);
+            }
+        }
+        let mut reason = Limit::EFFECTS;
+        workspace.each_effect(effects, |effect| {
+            if let Some(limit) = effect.step_limit(local).filter(|limit| limit.dt < best.0) {
+                best = (limit.dt, limit.particle, reason);
+            }
+            reason += 1;
+        });
+        let position = chunk.view(core.position).get(best.1);
+        Limit { dt: best.0, reason: best.2, id: chunk.view(core.id).get(best.1), position: position.into() }
+    }
+}
+
+/// A chunk as effects see it.
+pub fn local<'a>(settings: &'a StepSettings, chunk: &'a Chunk<'a>, workspace: &'a Workspace, dt: f64) -> Local<'a> {
+    Local {
+        chunk,
+        bodies: &workspace.bodies,
+        constants: &settings.view.constants,
+        motion: &workspace.motion[..chunk.len()],
+        rates: &workspace.rates,
+        dt,
+    }
+}
+
+fn corrected(layout: &Layout, raw: &Mat3, sums: &RowSums) -> Mat3 {
+    if !layout.terms.corrects() {
+        return *raw;
+    }
+    let m = &sums.moment;
+    if layout.dimension == 2 {
+        correction::corrected::<2>(raw, &Sym { xx: m[0], yy: m[1], xy: m[2], ..Sym::ZERO })
+    } else {
+        correction::corrected::<3>(raw, &Sym { xx: m[0], yy: m[1], zz: m[2], xy: m[3], xz: m[4], yz: m[5] })
+    }
+}
+
+fn gradient(dimension: usize, sums: &[f64; 9]) -> Mat3 {
+    if dimension == 2 {
+        Mat3::new(sums[0], sums[1], 0.0, sums[2], sums[3], 0.0, 0.0, 0.0, 0.0)
+    } else {
+        Mat3::from_row_slice(sums)
+    }
+}
+
+/// sigma : L, W/m^3.
+fn contract(s: &Sym, l: &Mat3) -> f64 {
+    s.xx * l[(0, 0)]
+        + s.yy * l[(1, 1)]
+        + s.zz * l[(2, 2)]
+        + s.xy * (l[(0, 1)] + l[(1, 0)])
+        + s.xz * (l[(0, 2)] + l[(2, 0)])
+        + s.yz * (l[(1, 2)] + l[(2, 1)])
+}

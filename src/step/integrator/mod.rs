@@ -1,0 +1,119 @@
+//! How steps are made of evaluations. An evaluation turns a state into rates and changes nothing (`derivatives`); an integrator
+//! owns the columns that it needs beside the state (rates of before, copies), says at which moments of a step rates are wanted,
+//! moves a chunk there, and takes the rates that come back:
+//!
+//! ```text
+//! for each stage                      predictor-corrector       Runge-Kutta, for one that may refuse
+//!     move to the moment of it        x + dt v ...              stage 0: stays; stage 1: x + dt k_0
+//!     admit, update (, commit)        with commit               without
+//!     rates of that state
+//!     take them                       correct                   stage 0: keep k_0, copy; stage 1: finish, error
+//!     one reduction over ranks
+//! accept: update, commit              has committed             refuse: set back, try less
+//! ```
+//! An integrator that never refuses commits what is irreversible before its evaluation, so that neighbours see it at once; one that
+//! may refuse commits when a step is accepted. Everything is local to a particle; what all ranks must know goes through the
+//! reduction of the stage.
+//!
+//! Adding one: a file here, its name in [`Scheme`].
+
+pub mod predictor_corrector;
+pub mod runge_kutta;
+
+use serde::{Deserialize, Serialize};
+
+use crate::material::Core;
+use crate::particles::{Chunk, Column, Rates, Registry};
+use predictor_corrector::PredictorCorrector;
+use runge_kutta::RungeKutta;
+
+use crate::math::Vec3;
+
+/// Moves the particles of a run through its steps.
+pub trait Integrator: Send + Sync {
+    /// The moment of each evaluation as a share of the step: 0 its beginning, 1 its end; a stage at 0 comes first, if at all.
+    fn stages(&self) -> &'static [f64];
+
+    /// Whether a step may be refused; irreversible state is then committed once it is accepted.
+    fn may_refuse(&self) -> bool;
+
+    /// Moves a chunk to the moment of a stage that is not at the step's beginning.
+    fn advance(&self, chunk: &Chunk, stage: usize, dt: f64);
+
+    /// Takes the rates of a stage; of the last one it brings the chunk to the end of the step, and says what error it sees.
+    fn take(&self, chunk: &Chunk, rates: &Rates, stage: usize, dt: f64) -> StepError;
+
+    /// Sets a chunk back to the beginning of the step.
+    fn set_back(&self, _chunk: &Chunk) {}
+
+    /// What becomes of a step of `dt` seconds with this error; `speed`: the largest relative velocity of any two particles, m/s.
+    fn judge(&self, _error: &StepError, _speed: f64, _dt: f64) -> Verdict {
+        Verdict::Accept { most: f64::INFINITY }
+    }
+}
+
+/// Largest errors of a step over particles; minima and maxima do not depend on order.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StepError {
+    /// m/s.
+    pub velocity: f64,
+    /// Of the density, as a share of it.
+    pub density: f64,
+}
+
+impl StepError {
+    pub fn merge(&mut self, other: &Self) {
+        self.velocity = self.velocity.max(other.velocity);
+        self.density = self.density.max(other.density);
+    }
+}
+
+/// What becomes of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Verdict {
+    /// It counts; the next one may be `most` seconds long as far as its error says.
+    Accept { most: f64 },
+    /// It is set back; one of so many seconds is tried instead.
+    Refuse { next: f64 },
+}
+
+/// The integrators there are, as a scene asks for them.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub enum Scheme {
+    #[default]
+    PredictorCorrector,
+    /// With the error of a step that is tolerated, see [`runge_kutta`].
+    RungeKutta { tolerance: f64 },
+}
+
+impl Scheme {
+    /// Declares the columns that it needs; the last that is declared, as it needs to know all that is integrated.
+    pub fn declare(&self, registry: &mut Registry, core: &Core) -> Box<dyn Integrator> {
+        registry.owner("integrator");
+        match *self {
+            Scheme::PredictorCorrector => Box::new(PredictorCorrector::declare(registry, core)),
+            Scheme::RungeKutta { tolerance } => Box::new(RungeKutta::declare(registry, core, tolerance)),
+        }
+    }
+}
+
+/// The columns that every integrator moves.
+#[derive(Debug, Clone)]
+struct Moved {
+    position: Column<Vec3>,
+    velocity: Column<Vec3>,
+    /// Index of every integrated column.
+    integrated: Vec<usize>,
+}
+
+impl Moved {
+    fn new(registry: &Registry, core: &Core) -> Self {
+        Self { position: core.position, velocity: core.velocity, integrated: registry.integrated.clone() }
+    }
+}
+
+/// Adds to a number that stands as its word.
+#[inline]
+fn add(value: &std::cell::Cell<u64>, by: f64) {
+    value.set((f64::from_bits(value.get()) + by).to_bits());
+}

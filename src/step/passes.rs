@@ -1,0 +1,100 @@
+//! What is done to one chunk between two reductions: moving it to a stage, evaluating it, accepting or refusing its step.
+
+use super::derivatives::{evaluate, local};
+use super::settings::{Moment, StepSettings};
+use super::workspace::{VelocityRange, Workspace};
+use crate::material::{Late, Local, MaterialEffect};
+use crate::pair::Rows;
+use crate::particles::{Chunk, Registry};
+
+/// What all chunks of a pass share.
+#[derive(Clone, Copy)]
+pub struct Passes<'a> {
+    pub settings: &'a StepSettings,
+    pub registry: &'a Registry,
+}
+
+impl Passes<'_> {
+    /// State that new particles start with.
+    pub fn initialise(&self, chunk: &Chunk, workspace: &mut Workspace) {
+        self.fill_bodies(chunk, workspace);
+        self.each_effect(chunk, workspace, 0.0, |effect, local| effect.initialise(local));
+        self.settle(chunk, workspace, Some(0.0));
+    }
+
+    /// Brings particles over to the soft matter of the late stage.
+    pub fn carry_over(&self, chunk: &Chunk, late: &Late, workspace: &mut Workspace) {
+        self.fill_bodies(chunk, workspace);
+        self.each_effect(chunk, workspace, 0.0, |effect, local| effect.carry_over(local, late));
+        self.settle(chunk, workspace, Some(0.0));
+    }
+
+    /// Moves a chunk to the moment of a stage, `share` of a step of `dt` seconds, and brings its material up to date.
+    pub fn advance(&self, chunk: &Chunk, moment: &Moment, share: f64, workspace: &mut Workspace) {
+        let integrator = &self.settings.integrator;
+        if share > 0.0 {
+            integrator.advance(chunk, moment.stage, moment.dt);
+        }
+        self.fill_bodies(chunk, workspace);
+        self.settle(chunk, workspace, (!integrator.may_refuse()).then_some(moment.dt));
+    }
+
+    /// Evaluates a chunk and hands its rates to the integrator, unless one of them is not finite.
+    pub fn evaluate(&self, chunk: &Chunk, rows: &Rows, moment: &Moment, workspace: &mut Workspace) {
+        self.fill_bodies(chunk, workspace);
+        if !evaluate(self.settings, self.registry, (chunk, rows), moment, workspace) {
+            return;
+        }
+        if let Some(moments) = self.settings.packer.moments.filter(|_| moment.stage == 0) {
+            for (k, sums) in workspace.sums[..chunk.len()].iter().enumerate() {
+                moments.keep(chunk, (k, self.registry.dimension), &sums.moment, moment.since);
+            }
+        }
+        let error = self.settings.integrator.take(chunk, &workspace.rates, moment.stage, moment.dt);
+        workspace.found.error.merge(&error);
+        if moment.last {
+            self.each_effect(chunk, workspace, 0.0, |effect, local| effect.admit(local));
+        }
+        self.note_velocities(chunk, workspace);
+    }
+
+    /// Takes over what is irreversible, at the end of a step that counts.
+    pub fn commit(&self, chunk: &Chunk, dt: f64, workspace: &mut Workspace) {
+        self.fill_bodies(chunk, workspace);
+        self.settle(chunk, workspace, Some(dt));
+    }
+
+    /// Brings the material of a chunk up to date, and commits what has grown in so many seconds, if it is to.
+    fn settle(&self, chunk: &Chunk, workspace: &mut Workspace, commit: Option<f64>) {
+        self.each_effect(chunk, workspace, 0.0, |effect, local| effect.admit(local));
+        self.each_effect(chunk, workspace, 0.0, |effect, local| effect.update(local));
+        if let Some(dt) = commit {
+            self.each_effect(chunk, workspace, dt, |effect, local| effect.commit(local));
+        }
+        let ids = chunk.view(self.settings.view.core.id);
+        workspace.watched.look(chunk, &ids, &mut workspace.found.non_finite);
+    }
+
+    fn each_effect(&self, chunk: &Chunk, workspace: &Workspace, dt: f64, act: impl Fn(&dyn MaterialEffect, &Local)) {
+        let local = local(self.settings, chunk, workspace, dt);
+        workspace.each_effect(&self.settings.effects, |effect| act(effect, &local));
+    }
+
+    fn note_velocities(&self, chunk: &Chunk, workspace: &mut Workspace) {
+        let view = &self.settings.view;
+        let velocity = chunk.view(view.core.velocity);
+        let mut range = VelocityRange::NOTHING;
+        for k in 0..chunk.len() {
+            let v: [f64; 3] = velocity.get(k).into();
+            let smallest = view.smoothing_length(chunk, k, workspace.bodies[k] as usize);
+            range.merge(&VelocityRange { forward: v, backward: v.map(|v| -v), smallest });
+        }
+        workspace.found.velocities.merge(&range);
+    }
+
+    fn fill_bodies(&self, chunk: &Chunk, workspace: &mut Workspace) {
+        let ids = chunk.view(self.settings.view.core.id);
+        workspace.bodies.clear();
+        workspace.bodies.extend((0..chunk.len()).map(|k| ids.get(k).body() as u16));
+    }
+}

@@ -1,0 +1,77 @@
+//! Everything a scene decides about a step, held once, and the state of a run that is no column of particles.
+
+use serde::{Deserialize, Serialize};
+
+use super::integrator::Integrator;
+use super::pack::Packer;
+use crate::gravity::{Attraction, Timing};
+use crate::material::{MaterialEffect, ParticleView};
+use crate::motion::Motions;
+use crate::pair::PairLoop;
+use crate::particles::Periods;
+
+/// Everything a scene decides about a step.
+pub struct StepSettings {
+    pub view: ParticleView,
+    pub effects: Vec<Box<dyn MaterialEffect>>,
+    pub integrator: Box<dyn Integrator>,
+    pub packer: Packer,
+    pub pair_loop: PairLoop,
+    /// Where a scene prescribes how particles move.
+    pub motions: Option<Motions>,
+    pub gravity: Option<Attraction>,
+    pub periods: Periods,
+    /// Courant number.
+    pub cfl: f64,
+    /// Skin of the neighbour lists over the support.
+    pub skin: f64,
+}
+
+/// All that the steps to come depend on beside the columns, the same on every rank. Checkpoint, state hash and summary take it as it
+/// is serialised here: what is added to it is in all of them.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct StepState {
+    /// Steps so far.
+    pub step: u64,
+    /// The one clock: s since the start.
+    pub time: f64,
+    /// The next step, s.
+    pub next: f64,
+    /// The last step, s; 0 before the first.
+    pub last: f64,
+    /// When the particles' own gravity was evaluated.
+    pub gravity: Timing,
+}
+
+/// The moment of an evaluation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Moment {
+    /// s since the start.
+    pub time: f64,
+    /// The step that it is made for, s.
+    pub dt: f64,
+    /// Seconds since the first stage of the step before was evaluated, or that of this step, where this is a later one.
+    pub since: f64,
+    /// Seconds since the particles' own gravity was evaluated.
+    pub gravity_age: f64,
+    /// Number of the stage.
+    pub stage: usize,
+    /// Whether it is the last stage of its step.
+    pub last: bool,
+}
+
+/// What happened so far: for the summary, not for the steps to come.
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
+pub struct Counters {
+    pub list_builds: u64,
+    pub rebisections: u64,
+    /// Steps that were refused and tried again shorter.
+    pub refused: u64,
+    pub gravity_evaluations: u64,
+    /// Particles that left this rank.
+    pub migrated: u64,
+    /// Directed pairs inside the support, of this rank.
+    pub pairs: u64,
+    /// Force evaluations of owned particles, of this rank.
+    pub updates: u64,
+}

@@ -1,0 +1,119 @@
+//! What a thread needs for a chunk, and what it finds out on the way.
+
+use std::cell::Cell;
+use std::time::{Duration, Instant};
+
+use super::failure::{NonFinite, Watched};
+use super::integrator::StepError;
+use super::time_step::Limit;
+use crate::material::{MaterialEffect, Motion};
+use crate::math::Mat3;
+use crate::pair::RowSums;
+use crate::particles::chunk::CHUNK;
+use crate::particles::{Rates, Registry};
+
+pub struct Workspace {
+    pub sums: Vec<RowSums>,
+    /// Second moment of each row's neighbourhood is in the sums; this is what they say of its motion.
+    pub motion: Vec<Motion>,
+    pub bodies: Vec<u16>,
+    pub rates: Rates,
+    pub watched: Watched,
+    /// What was found since the last [`Workspace::take`].
+    pub found: Findings,
+    /// Time spent in each effect so far.
+    effects: Vec<Cell<Duration>>,
+}
+
+/// What the chunks of a pass have shown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Findings {
+    /// Tightest limit of the next step.
+    pub limit: Limit,
+    /// First particle with a non-finite number, by id.
+    pub non_finite: Option<NonFinite>,
+    /// Directed pairs inside the support.
+    pub pairs: u64,
+    pub velocities: VelocityRange,
+    pub error: StepError,
+}
+
+impl Findings {
+    pub fn nothing() -> Self {
+        Self {
+            limit: Limit::NONE,
+            non_finite: None,
+            pairs: 0,
+            velocities: VelocityRange::NOTHING,
+            error: StepError::default(),
+        }
+    }
+
+    pub fn merge(&mut self, other: Self) {
+        self.limit = self.limit.tighter(other.limit);
+        self.non_finite = NonFinite::first(self.non_finite.take(), other.non_finite);
+        self.pairs += other.pairs;
+        self.velocities.merge(&other.velocities);
+        self.error.merge(&other.error);
+    }
+}
+
+impl Workspace {
+    pub fn new(registry: &Registry, effects: usize) -> Self {
+        let motion = Motion { velocity_gradient: Mat3::zeros(), heating: 0.0 };
+        Self {
+            sums: vec![RowSums::default(); CHUNK],
+            motion: vec![motion; CHUNK],
+            bodies: vec![0; CHUNK],
+            rates: Rates::new(registry),
+            watched: Watched::new(registry),
+            found: Findings::nothing(),
+            effects: vec![Cell::default(); effects],
+        }
+    }
+
+    /// What was found since the last call.
+    pub fn take(&mut self) -> Findings {
+        std::mem::replace(&mut self.found, Findings::nothing())
+    }
+
+    /// Calls every effect in its turn and notes the time that it took.
+    pub fn each_effect(&self, effects: &[Box<dyn MaterialEffect>], mut act: impl FnMut(&dyn MaterialEffect)) {
+        let mut start = Instant::now();
+        for (effect, time) in effects.iter().zip(&self.effects) {
+            act(effect.as_ref());
+            let end = Instant::now();
+            time.set(time.get() + (end - start));
+            start = end;
+        }
+    }
+
+    /// Seconds that this thread has spent in each effect so far.
+    pub fn effect_seconds(&self) -> impl Iterator<Item = f64> {
+        self.effects.iter().map(|time| time.get().as_secs_f64())
+    }
+}
+
+/// Extremes of the velocities of many particles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VelocityRange {
+    /// m/s
+    pub forward: [f64; 3],
+    /// Largest components of the opposite velocities, m/s.
+    pub backward: [f64; 3],
+    /// Smallest smoothing length, m.
+    pub smallest: f64,
+}
+
+impl VelocityRange {
+    pub const NOTHING: Self =
+        Self { forward: [f64::NEG_INFINITY; 3], backward: [f64::NEG_INFINITY; 3], smallest: f64::INFINITY };
+
+    pub fn merge(&mut self, other: &Self) {
+        for k in 0..3 {
+            self.forward[k] = self.forward[k].max(other.forward[k]);
+            self.backward[k] = self.backward[k].max(other.backward[k]);
+        }
+        self.smallest = self.smallest.min(other.smallest);
+    }
+}
