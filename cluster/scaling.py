@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Tables and curves of what cluster/scaling.sh left in a folder.
 
-    cluster/scaling.py OUT         prints the tables and writes OUT/curves.csv
+    cluster/scaling.py OUT         prints the tables and writes OUT/curves.csv, and OUT/scaling.png where matplotlib is there
 
 Speed counts the seconds that cores worked, apart from waits inside MPI: the waits stand beside it. So it does not depend on
 what else the machine did, and says what a core achieves; wall time says what came of it.
@@ -126,6 +126,25 @@ def curves(strong, weak):
         yield from ((f"{name}, by wall time", "points", run.ranks, s * first.wall / run.wall) for run, s in zip(runs, size))
 
 
+def draw(points, path):
+    """The figure of speed-ups; without matplotlib there is the table of its points."""
+    try:
+        import matplotlib
+    except ImportError:
+        return
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    figure, axes = plt.subplots(figsize=(8, 6))
+    styles = {"line": "-", "dashed": "k--", "points": "o"}
+    for name, style in dict.fromkeys((name, style) for name, style, *_ in points):
+        axes.loglog(*zip(*((x, y) for series, _, x, y in points if series == name)), styles[style], label=name)
+    axes.set(title="Speed-up of an impact", xlabel="ranks of one thread", ylabel="speed-up")
+    axes.legend()
+    figure.savefig(path, dpi=100, bbox_inches="tight")
+    plt.close(figure)
+
+
 def main(out):
     runs = [Run(path.parent) for path in sorted(out.glob("*_*/summary.json"))]
     runs.sort(key=lambda run: (run.name, run.ranks, run.threads))
@@ -146,8 +165,10 @@ def main(out):
         note = "which count once in the speed; wall times are predicted for as many turns as ranks share a core"
         lines += [f"\\* more than the {cores()} cores, {note}.", ""]
     print("\n".join(lines))
+    points = list(curves(strong, weak))
     with open(out / "curves.csv", "w", newline="") as file:
-        csv.writer(file).writerows(curves(strong, weak))
+        csv.writer(file).writerows(points)
+    draw(points, out / "scaling.png")
 
 
 if len(sys.argv) != 2:

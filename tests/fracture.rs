@@ -1,7 +1,7 @@
 //! Is rock as strong as its flaws say? Numbers of flaws and thresholds against the Weibull distribution, strength against strain
 //! rate of single elements against the theory of Grady & Kipp, and a bar that is pulled apart against single elements.
 //!
-//! `SPH_MPI_FRACTURE=DIR` makes the samples of `scripts/validate_fracture` instead, some ten times as large, and leaves what is
+//! `SPH_MPI_FRACTURE=DIR` makes the samples of `scripts/validate fracture` instead, some ten times as large, and leaves what is
 //! measured in DIR; the tolerances follow the size of the samples.
 
 use std::fmt::Write;

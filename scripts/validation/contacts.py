@@ -1,7 +1,7 @@
 """What meets: fast into soft, light beside heavy, heavy into light, slow and elastic, large and spinning; each as it was and as it is."""
 
-import page
-from runs import Run
+from common import page
+from common.runs import Run
 
 TITLE = "Hard contacts"
 

@@ -5,8 +5,8 @@ import math
 
 import matplotlib.pyplot as plt
 
-import page
-from runs import Run
+from common import page
+from common.runs import Run
 
 TITLE = "The crush curve of pumice"
 
@@ -95,5 +95,4 @@ def draw():
     whole.set_xscale("log")
     tail.set(xlim=(0, 220), ylim=(1, 2))
     whole.legend()
-    figure.savefig(page.FOLDER / "crush_curve.png", dpi=110, bbox_inches="tight")
-    plt.close(figure)
+    page.save(figure, "crush_curve.png")

@@ -7,9 +7,9 @@ import h5py
 import matplotlib.pyplot as plt
 import numpy as np
 
-import page
-from runs import Run
-from scenes import vector
+from common import page
+from common.runs import Run
+from validation.plates import vector
 
 TITLE = "Columns of sand"
 
@@ -244,5 +244,4 @@ def draw(cases):
             laws.loglog(list(cases[name]), [m[number] for m in cases[name].values()], colour + mark, label=f"{what}, {name}, here")
     laws.set(xlabel="height / half width", ylabel="over half width")
     laws.legend(fontsize=7)
-    figure.savefig(page.FOLDER / "granular.png", dpi=110, bbox_inches="tight")
-    plt.close(figure)
+    page.save(figure, "granular.png")

@@ -1,10 +1,9 @@
 """Self-gravity: forces against sums over all bodies, and what conserves in a collapse and in a planet at rest."""
 
 import re
-import subprocess
 
-import page
-from runs import ROOT, Run
+from common import page
+from common.runs import Run, Tables
 
 TITLE = "Self-gravity"
 
@@ -15,6 +14,15 @@ RESTING = [0, 3e-3, 1e-2, 3e-2]
 """Of the planet, whose steps are a sixhundredth of it long."""
 CEILING_INTERACTIONS = 650
 """What an evaluation may cost a body at a median error of 1e-3, in interactions of the stripped pair loop."""
+
+
+FORCES = Tables(
+    "gravity/forces",
+    ["sh", "-c", "cargo bench --quiet --locked --bench gravity && cargo bench --quiet --locked --bench ceiling -- 59 3"],
+    ["tests/benches/gravity.rs", "tests/benches/ceiling.rs", "src/gravity/*.rs"],
+    guess=60,
+)
+"""And the ceiling, as processors differ from day to day."""
 
 
 def collapse(accuracy, interval):
@@ -31,12 +39,7 @@ def planet(interval):
 
 def runs():
     cases = [collapse(a, 0) for a in ACCURACIES] + [collapse(0.01, i) for i in INTERVALS]
-    return cases + [planet(i) for i in (None, *RESTING)]
-
-
-def bench(name, arguments=()):
-    command = ["cargo", "bench", "--quiet", "--locked", "--bench", name, "--", *arguments]
-    return subprocess.run(command, check=True, cwd=ROOT, capture_output=True, text=True).stdout
+    return cases + [planet(i) for i in (None, *RESTING)] + [FORCES]
 
 
 def cells(text):
@@ -51,8 +54,8 @@ def per_step(summary):
 
 def write(found):
     failures = []
-    text = bench("gravity")
-    ceiling = next(float(line.split("|")[2]) for line in bench("ceiling", ["59", "3"]).splitlines() if line.startswith("| ceiling "))
+    text = found[FORCES.name]
+    ceiling = next(float(line.split("|")[2]) for line in text.splitlines() if line.startswith("| ceiling "))
     forces = cells(text)
     head = ["accuracy", "order", "median error", "99 %", "largest", "forces add up to", "us per body", "in interactions of the ceiling"]
     rows = [[f"{a:g}", int(p), *(f"{x:.1e}" for x in (median, most, worst, drift)), f"{us:.2f}", f"{us * ceiling:.0f}"] for a, p, median, most, worst, drift, us in forces]

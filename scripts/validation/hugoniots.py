@@ -2,9 +2,9 @@
 
 import tomllib
 
-import page
-from runs import ROOT, Run
-from scenes import slab
+from common import page
+from common.runs import ROOT, Run
+from validation.plates import slab
 
 TITLE = "Hugoniots"
 

@@ -1,72 +1,33 @@
-"""What accuracy costs: error against core-seconds over kernel, neighbours, time step and viscosity."""
+"""What accuracy costs: error against core-seconds over kernel, neighbours, time step and viscosity, by two studies of inputs/studies/."""
 
 import math
 
-import page
-from runs import Run
-from scenes import wave
+from common import page
+from common.runs import Study
 
 TITLE = "Price of accuracy"
 
-WENDLAND = "numerics.kernel=wendland_c2"
-SPLINE = "numerics.kernel=cubic_spline"
+SEDOV, WAVE = Study("price/sedov", "studies/sedov.toml"), Study("price/wave", "studies/wave_longitudinal.toml")
 
-
-def kernel(name, eta):
-    return [f"numerics.kernel={name}", f"numerics.eta={eta}"]
-
-
-def viscosity(material, alpha, beta):
-    return ["numerics.viscosity=true", f"material.{material}.viscosity={{ alpha = {alpha:.3f}, beta = {beta:.3f} }}"]
-
-
-SEDOV = {
-    "as in the scene: spline, eta 1.2, CFL 0.15, alpha 2, beta 4": [],
-    "spline, eta 1.4": kernel("cubic_spline", 1.4),
-    "Wendland, eta 1.2": kernel("wendland_c2", 1.2),
-    "Wendland, eta 1.4": kernel("wendland_c2", 1.4),
-    "Wendland, eta 1.6": kernel("wendland_c2", 1.6),
-    "CFL 0.25": ["numerics.cfl=0.25"],
-    "CFL 0.08": ["numerics.cfl=0.08"],
-    "alpha 1, beta 2": viscosity("gas", 1, 2),
-    "alpha 3, beta 6": viscosity("gas", 3, 6),
-    "no corrected gradient": ["numerics.corrected_gradient=false"],
-}
-
-WAVE = {
-    "as in the scene: Wendland, eta 1.4, CFL 0.25, no viscosity": [],
-    "Wendland, eta 1.2": kernel("wendland_c2", 1.2),
-    "Wendland, eta 1.6": kernel("wendland_c2", 1.6),
-    "Wendland, eta 1.8": kernel("wendland_c2", 1.8),
-    "spline, eta 1.2": kernel("cubic_spline", 1.2),
-    "spline, eta 1.4": kernel("cubic_spline", 1.4),
-    "spline, eta 1.7": kernel("cubic_spline", 1.7),
-    "CFL 0.5": ["numerics.cfl=0.5"],
-    "CFL 0.1": ["numerics.cfl=0.1"],
-    "alpha 0.1, beta 0": viscosity("basalt", 0.1, 0),
-    "alpha 1.5, beta 3": viscosity("basalt", 1.5, 3),
-    "no corrected gradient": ["numerics.corrected_gradient=false"],
-}
-
-PROBLEMS = {
-    "sedov": ("Sedov, 3D: density, L1", SEDOV, [0.1, 0.07, 0.05], "exact/sedov.toml",
-              lambda d: [f"gas.spacing={d}", f"gas.blast={{ energy = 1, radius = {4 * d:g} }}"], lambda e: e["density_l1"]),
-    "wave": ("longitudinal wave, 3D: frequency and damping", WAVE, [0.05, 0.025, 0.0125], "exact/wave_longitudinal.toml",
-             lambda d: wave(d, 3, rows=10), lambda e: math.hypot(e["frequency"], e["damping"])),
-}
-GIVEN = {"sedov": [0.1, 0.08, 0.07], "wave": [0.02, 0.01, 0.005]}
-"""Errors for which the cheapest setting is named."""
-
-
-def batch(problem):
-    """(setting, spacing) -> run."""
-    _, settings, spacings, scene, at, _ = PROBLEMS[problem]
-    numbered = enumerate(settings.items())
-    return {(label, d): Run(f"price_{problem}/{k}_{d:g}", scene, at(d) + more + ["output.picture=false"]) for k, (label, more) in numbered for d in spacings}
+PROBLEMS = [
+    # Its study, title, the scene's own settings, what counts as the error, and errors for which the cheapest setting is named.
+    (SEDOV, "Sedov, 3D: density, L1", "spline, eta 1.2, CFL 0.15, alpha 2, beta 4", lambda e: e["density_l1"], [0.1, 0.08, 0.07]),
+    (WAVE, "longitudinal wave, 3D: frequency and damping", "Wendland, eta 1.4, CFL 0.25, no viscosity",
+     lambda e: math.hypot(e["frequency"], e["damping"]), [0.02, 0.01, 0.005]),
+]
 
 
 def runs():
-    return [run for problem in PROBLEMS for run in batch(problem).values()]
+    return [SEDOV, WAVE]
+
+
+def curves(study, own, measure):
+    """(spacing, core-seconds, error) of each run, by setting."""
+    found = {}
+    for name, row, summary in study.points():
+        label = f"as in the scene: {own}" if name == "as the scene" else name
+        found.setdefault(label, []).append((row["spacing"], summary["core_seconds"], measure(summary["errors"])))
+    return found
 
 
 def cost_at(points, error):
@@ -81,26 +42,25 @@ def cost_at(points, error):
     return math.inf
 
 
+def cheapest(settings, error):
+    costs = {label: cost_at([(cost, e) for _, cost, e in points], error) for label, points in settings.items()}
+    best = min(costs, key=costs.get)
+    return f"{page.percent(error)}: {best}, {costs[best]:.2g} core-s" if costs[best] < math.inf else f"{page.percent(error)}: none of these"
+
+
 def write(found):
     parts, panels = [], {}
-    for problem, (title, settings, spacings, _, _, measure) in PROBLEMS.items():
-        all_runs = batch(problem)
-        curves = {
-            label: [(found[all_runs[label, d].name]["core_seconds"], measure(found[all_runs[label, d].name]["errors"])) for d in spacings]
-            for label in settings
-        }
-        panels[title] = curves
+    for study, title, own, measure, given in PROBLEMS:
+        settings = curves(study, own, measure)
+        spacings = [spacing for spacing, *_ in next(iter(settings.values()))]
+        panels[title] = {label: [(cost, error) for _, cost, error in points] for label, points in settings.items()}
         head = ["setting", *(f"error at {d:g} m" for d in spacings), *(f"core-s at {d:g} m" for d in spacings), "order"]
         lines = [
-            [label, *(page.percent(e) for _, e in points), *(f"{c:.2f}" for c, _ in points), f"{page.order(spacings, [e for _, e in points]):.1f}"]
-            for label, points in curves.items()
+            [label, *(page.percent(e) for *_, e in points), *(f"{c:.2f}" for _, c, _ in points), f"{page.order(spacings, [e for *_, e in points]):.1f}"]
+            for label, points in settings.items()
         ]
-        cheapest = []
-        for error in GIVEN[problem]:
-            costs = {label: cost_at(points, error) for label, points in curves.items()}
-            best = min(costs, key=costs.get)
-            cheapest.append(f"{page.percent(error)}: {best}, {costs[best]:.2g} core-s" if costs[best] < math.inf else f"{page.percent(error)}: none of these")
-        parts.append(f"**{title}**\n\n{page.table(head, lines)}\n\nCheapest for an error of " + "; ".join(cheapest) + ".")
+        parts.append(f"**{title}** (`inputs/{study.file}`)\n\n{page.table(head, lines)}\n\n"
+                     f"Cheapest for an error of {'; '.join(cheapest(settings, error) for error in given)}.")
     page.plot("price", panels, "core-seconds")
     text = "\n\n".join(parts) + f"\n\n{NOTES}\n![Error against cost](price.png)"
     return text, []

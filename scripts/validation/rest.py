@@ -3,8 +3,8 @@
 import csv
 import math
 
-import page
-from runs import Run
+from common import page
+from common.runs import Run
 
 TITLE = "At rest"
 
@@ -62,7 +62,7 @@ def slides(run):
         rows = list(csv.DictReader(file))
     times, energies = ([float(row[name]) for row in rows] for name in ("time [s]", "kinetic_energy [J]"))
     half = next(k for k, time in enumerate(times) if time >= 0.5 * times[-1])
-    end = run.summary()["errors"]["speed"]
+    end = run.result()["errors"]["speed"]
     early = end * math.sqrt(energies[half] / energies[-1])
     return end > 5 * STILL and end > 1.2 * early, early, end
 

@@ -1,6 +1,6 @@
 """What is run: variants of two scenes over resolution."""
 
-from runs import Run
+from common.runs import Run
 
 # Between particles near the impact, cm; shells around them are two and four times coarser.
 DEEP_IMPACT = [56, 40, 28]
@@ -46,12 +46,12 @@ for law in LAWS:
 def deep_impact(variant, spacing):
     shells = [("near", 1), ("middle", 2), ("far", 4)]
     settings = [f'{body}.spacing="{factor * spacing} cm"' for body, factor in shells]
-    return Run(f"craters/deep_impact_{slug(variant)}_{spacing}cm", "deep_impact.toml", DEEP_IMPACT_VARIANTS[variant] + settings)
+    return Run(f"craters/deep_impact_{slug(variant)}_{spacing}cm", "deep_impact.toml", DEEP_IMPACT_VARIANTS[variant] + settings, guess=price("deep_impact", spacing))
 
 
 def compaction(variant, spacing):
     settings = [f'{body}.spacing="{factor * spacing} cm"' for body, factor in [("near", 1), ("far", 2)]]
-    return Run(f"craters/compaction_{slug(variant)}_{spacing}cm", "compaction_models.toml", COMPACTION_VARIANTS[variant] + settings)
+    return Run(f"craters/compaction_{slug(variant)}_{spacing}cm", "compaction_models.toml", COMPACTION_VARIANTS[variant] + settings, guess=price("compaction", spacing))
 
 
 def slug(variant):
@@ -76,7 +76,7 @@ def spacings(scene, variant):
 
 
 def all_runs():
-    """(run, predicted core-seconds), the cheapest first."""
-    found = [(deep_impact(v, s), price("deep_impact", s)) for v in DEEP_IMPACT_VARIANTS for s in spacings("deep_impact", v)]
-    found += [(compaction(v, s), price("compaction", s)) for v in COMPACTION_VARIANTS for s in spacings("compaction", v)]
-    return sorted(found, key=lambda pair: pair[1])
+    """The cheapest first."""
+    found = [deep_impact(v, s) for v in DEEP_IMPACT_VARIANTS for s in spacings("deep_impact", v)]
+    found += [compaction(v, s) for v in COMPACTION_VARIANTS for s in spacings("compaction", v)]
+    return sorted(found, key=lambda run: run.guess)

@@ -1,12 +1,13 @@
 """A bar that is pulled apart, inputs/tensile_bar.toml at several strain rates, beside single elements."""
 
-import basalt
 import h5py
 import matplotlib.pyplot as plt
 import numpy
-from elements import save
-from page import percent, table
-from runs import Run
+
+from common.page import percent, table
+from common.runs import Run
+from validation.fracture import basalt
+from validation.fracture.elements import save
 
 POISSON = 0.1688
 """Of basalt."""
@@ -45,7 +46,7 @@ def curve(run):
 
 def write():
     found = {run.name.rsplit("bar_")[1]: run for run in runs()}
-    particles = found["1000"].summary()["particles"]
+    particles = found["1000"].result()["particles"]
     edge = (40e-3 * 10e-3 * 10e-3 / particles) ** (1 / 3)
     figure, axis = plt.subplots(figsize=(5.2, 3.7))
     rows = []
@@ -53,7 +54,7 @@ def write():
         times, tension = curve(found[str(rate)])
         element, error = basalt.strength(rate, edge, particles)
         peak = tension.max()
-        rows.append((rate, f"{peak / 1e6:.1f}", f"{element / 1e6:.1f} ± {error / 1e6:.1f}", percent(peak / element - 1), found[str(rate)].summary()["steps"]))
+        rows.append((rate, f"{peak / 1e6:.1f}", f"{element / 1e6:.1f} ± {error / 1e6:.1f}", percent(peak / element - 1), found[str(rate)].result()["steps"]))
         line = axis.plot(1e3 * rate * times, tension / 1e6, label=f"bar, {rate} 1/s")[0]
         axis.axhline(element / 1e6, color=line.get_color(), linestyle=":", linewidth=1)
     axis.set(xlabel="strain (1e-3)", ylabel="mean tension (MPa); dots: elements")

@@ -1,38 +1,29 @@
 """Flaws and single elements: what the large samples of tests/fracture.rs leave, beside solutions without time steps."""
 
 import csv
-import hashlib
-import os
-import shutil
-import subprocess
 
-import basalt
 import matplotlib.pyplot as plt
 import numpy
-from page import FOLDER, percent, table
-from runs import ROOT, RUNS
+
+from common.page import FOLDER, percent, table
+from common.runs import Tables
+from validation.fracture import basalt
 
 REFERENCE = (53.5e6, 54.1e6, 54.8e6, 68.8e6, 191e6)
 """Another ensemble of elements of 1 mm, at 1 to 1e4 1/s, Pa."""
-TABLES = RUNS / "fracture" / "elements"
-
-
-def make():
-    """Runs the tests with large samples, unless what they depend on is as it was."""
-    sources = [ROOT / "tests/fracture.rs", ROOT / "src/random.rs", *sorted((ROOT / "src/material/fracture").glob("*.rs"))]
-    stamp = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()
-    kept = TABLES / "stamp"
-    if kept.exists() and kept.read_text() == stamp:
-        return
-    shutil.rmtree(TABLES, ignore_errors=True)
-    command = ["cargo", "test", "--release", "--locked", "--test", "main", "fracture::", "--", "--test-threads=1"]
-    subprocess.run(command, check=True, cwd=ROOT, env=dict(os.environ, SPH_MPI_FRACTURE=str(TABLES)))
-    kept.write_text(stamp)
+TABLES = Tables(
+    "fracture/elements",
+    ["cargo", "test", "--release", "--locked", "--test", "main", "fracture::", "--", "--test-threads=1"],
+    ["tests/fracture.rs", "src/random.rs", "src/material/fracture/*.rs"],
+    variable="SPH_MPI_FRACTURE",
+    guess=300,
+)
+"""Tests with large samples."""
 
 
 def read(name):
     """Rows of a table as numbers, by column."""
-    with open(TABLES / f"{name}.csv") as file:
+    with open(TABLES.folder / f"{name}.csv") as file:
         rows = list(csv.DictReader(file))
     return {key: numpy.array([float(row[key]) for row in rows]) for key in rows[0]}
 

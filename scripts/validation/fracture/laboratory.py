@@ -5,9 +5,10 @@ import csv
 import h5py
 import matplotlib.pyplot as plt
 import numpy
-from elements import save
-from page import table
-from runs import Run
+
+from common.page import table
+from common.runs import Run
+from validation.fracture.elements import save
 
 RADIUS = 0.03
 OUTWARDS = numpy.array([-numpy.cos(numpy.pi / 6), -numpy.sin(numpy.pi / 6), 0])
@@ -75,14 +76,14 @@ def antipode(run):
 
 def fragments(run):
     """Masses over the target's, largest first, and where the largest one is, over the radius."""
-    target = run.summary()["outcome"]["target_mass"]
+    target = run.result()["outcome"]["target_mass"]
     with open(run.folder / "fragments.csv") as file:
         rows = list(csv.DictReader(file))
     return [float(row["mass_kg"]) / target for row in rows], float(rows[0]["distance_m"]) / RADIUS
 
 
 def row(label, run):
-    found, (masses, offset), (_, speeds) = run.summary(), fragments(run), antipode(run)
+    found, (masses, offset), (_, speeds) = run.result(), fragments(run), antipode(run)
     outcome = found["outcome"]
     return (
         label, found["particles"], f"{outcome['largest_fragment_fraction']:.3f}", f"{outcome['largest_fragment_fraction_strict']:.3f}",
@@ -107,14 +108,14 @@ def write():
             axes[0].loglog(masses, numpy.arange(1, len(masses) + 1), **style)
             times, speeds = antipode(run)
             axes[1].plot(1e6 * times, speeds, **style)
-            axes[2].semilogx([n], [run.summary()["outcome"]["largest_fragment_fraction"]], "o", color=colours[n])
+            axes[2].semilogx([n], [run.result()["outcome"]["largest_fragment_fraction"]], "o", color=colours[n])
     axes[0].set(xlabel="mass over that of the target", ylabel="fragments of this mass and more")
     axes[1].set(xlabel="time (us)", ylabel="speed of the antipode (m/s)")
     axes[2].axhline(0.3, color="k", linestyle=":", label="experiment, about")
     axes[2].set(xlabel="particles", ylabel="largest fragment over target", ylim=(0, 0.4))
     save(figure, axes, "fracture_laboratory")
     seeds = [row(f"flaw seed {seed}", seeded(n, seed)) for n, seeds in SEEDS.items() for seed in seeds]
-    mean = {n: numpy.mean([seeded(n, seed).summary()["outcome"]["largest_fragment_fraction"] for seed in s]) for n, s in SEEDS.items()}
+    mean = {n: numpy.mean([seeded(n, seed).result()["outcome"]["largest_fragment_fraction"] for seed in s]) for n, s in SEEDS.items()}
     means = ", ".join(f"{share:.3f} at {n}" for n, share in mean.items())
     return "\n\n".join(
         [

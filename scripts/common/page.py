@@ -1,4 +1,4 @@
-"""The page and its blocks, tables, and plots over spacing or cost."""
+"""Pages of tests/validation/ and their blocks, tables, and plots over spacing or cost."""
 
 import math
 import pathlib
@@ -14,17 +14,17 @@ PAGE = FOLDER / "README.md"
 
 HEAD = """# Validation
 
-Written by `scripts/validate`: each block below by the file of its name in `scripts/validation/`. Every figure and number
+Written by `scripts/validate`: each block below by the topic of its name in `scripts/validation/`. Every figure and number
 follows from runs of scenes of `inputs/`; nothing is edited by hand. `tests/exact.rs` and `tests/compaction.rs` run a small version of each
 case.
 
-Other pages: [fracture](fracture.md) (`scripts/validate_fracture`), [craters](craters.md) (`scripts/validate_craters`), [disruption thresholds](q_star.md) (`scripts/q_star`), [campaigns](campaigns.md) (`scripts/validate_campaigns`),
-[speed](bench.md) (`scripts/bench`), [scaling and predictions](cluster.md) (`scripts/bench_cluster`).
+Other pages: [fracture](fracture.md) (`scripts/validate fracture`), [craters](craters.md) (`scripts/validate craters`), [disruption thresholds](q_star.md) (`scripts/validate q_star`), [campaigns](campaigns.md) (`scripts/validate campaigns`),
+[speed](bench.md) (`scripts/bench`), [scaling and predictions](cluster.md) (`scripts/bench cluster`).
 """
 
 
-def replace(name, title, text, order):
-    """Puts a section's block in its place on the page; other blocks stay."""
+def replace_block(name, title, text, order):
+    """Puts a topic's block in its place on the page; other blocks stay."""
     blocks = {}
     if PAGE.exists():
         for part in PAGE.read_text().split("<!-- section: ")[1:]:
@@ -33,7 +33,18 @@ def replace(name, title, text, order):
     blocks[name] = f"## {title}\n\n{text.strip()}"
     known = [key for key in order if key in blocks] + [key for key in blocks if key not in order]
     PAGE.write_text(HEAD + "".join(f"\n<!-- section: {key} -->\n{blocks[key]}\n" for key in known))
-    print(f"written to {PAGE.name}: {name}")
+    print(f"written to tests/validation/{PAGE.name}: {name}")
+
+
+def write(name, parts):
+    """A page of its own: its parts under each other."""
+    (FOLDER / name).write_text("\n\n".join(part.strip() for part in parts) + "\n")
+    print(f"written to tests/validation/{name}")
+
+
+def save(figure, name):
+    figure.savefig(FOLDER / name, dpi=110, bbox_inches="tight")
+    plt.close(figure)
 
 
 def table(head, rows):

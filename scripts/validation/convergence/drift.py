@@ -2,9 +2,10 @@
 
 import h5py
 import numpy
-import page
-from runs import Run
 from scipy.spatial import cKDTree
+
+from common import page
+from common.runs import Run
 
 SHELL = (0.10, 0.16)
 """Behind the shock and outside of what wall heating has thinned, m."""

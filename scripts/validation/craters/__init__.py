@@ -4,24 +4,20 @@ import csv
 import math
 import pathlib
 import shutil
-import sys
-
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
 
 import h5py
-import matplotlib
+import matplotlib.pyplot as plt
 import numpy
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+from common import page
+from common.runs import Run
+from validation.craters import cases
 
-import cases
-from page import FOLDER
-from runs import perform, show
-
+PAGE = "craters.md"
+FROM_SOME = True
 HEAD = """# Craters in porous ground
 
-Written by `scripts/validate_craters`: `inputs/deep_impact.toml` and `inputs/compaction_models.toml` over resolution, beside Jutzi, Benz &
+Written by `scripts/validate craters`: `inputs/deep_impact.toml` and `inputs/compaction_models.toml` over resolution, beside Jutzi, Benz &
 Michel 2008 (Icarus 198, 242). Spacings are those near the impact; those of the paper are 20 cm apart (2.6 kg each). What the figures mean, and what
 they depend on, stands in `scripts/validation/craters/judgement.md`."""
 
@@ -29,18 +25,13 @@ PAPER_VOLUMES = {"P-alpha": 62.3, "rho-alpha": 61.9, "epsilon-alpha": 82.9, "P-a
 PAPER_DISTENTION = {"P-alpha": "1", "rho-alpha": "about 1.8", "epsilon-alpha": "about 1.8", "P-alpha, soft": "-"}
 
 
-def there(run):
-    return (run.folder / "summary.json").exists()
+def runs():
+    return cases.all_runs()
 
 
 def rows(run, name):
     with open(run.folder / name) as file:
         return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-
-
-def table(header, lines):
-    marks = "|".join("---" for _ in header)
-    return "\n".join(["| " + " | ".join(header) + " |", f"|{marks}|", *("| " + " | ".join(line) + " |" for line in lines)])
 
 
 def price(found):
@@ -80,11 +71,11 @@ def deep_impact():
         for variant in cases.DEEP_IMPACT_VARIANTS:
             solid = cases.deep_impact("solid, holds tension" if "holds" in variant else "solid", spacing)
             run = cases.deep_impact(variant, spacing)
-            if not there(run):
+            if not run.is_there():
                 continue
-            found = run.summary()
+            found = run.result()
             masses = [above(run, speed) for speed in SPEEDS]
-            ratios = [f"{above(solid, speed) / mass:.1f}" if there(solid) else "" for speed, mass in zip(SPEEDS, masses)]
+            ratios = [f"{above(solid, speed) / mass:.1f}" if solid.is_there() else "" for speed, mass in zip(SPEEDS, masses)]
             share = crushed(run, 2)
             lines.append([
                 f"{spacing} cm", variant, *(f"{mass:.3g}" for mass in masses), " / ".join(ratios),
@@ -94,7 +85,7 @@ def deep_impact():
               "particles", "core-s", "drift of energy"]
     figure("craters_deep_impact.png", [(v, cases.deep_impact(v, s), "mass_kg", s) for v in DRAWN for s in cases.DEEP_IMPACT], "mass [kg]")
     keep_picture(cases.deep_impact, DRAWN, cases.DEEP_IMPACT, "craters_deep_impact")
-    return table(header, lines) + "\n\nThe paper: solid / porous about 10, rho-alpha as P-alpha.\n\n![](craters_deep_impact.png)"
+    return page.table(header, lines) + "\n\nThe paper: solid / porous about 10, rho-alpha as P-alpha.\n\n![](craters_deep_impact.png)"
 
 
 def compaction():
@@ -102,9 +93,9 @@ def compaction():
     for spacing in cases.COMPACTION:
         for variant in cases.COMPACTION_VARIANTS:
             run = cases.compaction(variant, spacing)
-            if not there(run):
+            if not run.is_there():
                 continue
-            found, law = run.summary(), variant.removesuffix(", broken")
+            found, law = run.result(), variant.removesuffix(", broken")
             outcome = found["outcome"]
             lines.append([
                 f"{spacing} cm", variant, f"{outcome['compacted_volume']:.1f}", f"{PAPER_VOLUMES[law]}",
@@ -115,67 +106,52 @@ def compaction():
     figure("craters_compaction.png", runs, "volume before the impact [m$^3$]")
     profiles("craters_distention.png")
     keep_picture(cases.compaction, cases.LAWS, cases.COMPACTION, "craters_compaction")
-    return table(header, lines) + "\n\n![](craters_compaction.png) ![](craters_distention.png)"
+    return page.table(header, lines) + "\n\n![](craters_compaction.png) ![](craters_distention.png)"
 
 
 def figure(name, runs, label):
     """Ejecta over speed: a colour for each variant, thinner for coarser runs; compacted volumes as levels."""
     fig, axes = plt.subplots(figsize=(8, 6))
     variants = list(dict.fromkeys(variant for variant, *_ in runs))
-    finest = {v: min((s for w, run, _, s in runs if w == v and there(run)), default=None) for v in variants}
+    finest = {v: min((s for w, run, _, s in runs if w == v and run.is_there()), default=None) for v in variants}
     for variant, run, column, spacing in runs:
-        if not there(run):
+        if not run.is_there():
             continue
         found = rows(run, "ejecta.csv")
         best = spacing == finest[variant]
         colour = f"C{variants.index(variant)}"
         axes.loglog([row["speed_above_m_s"] for row in found], [row[column] for row in found], colour, lw=2 if best else 0.8,
                     label=f"{variant}, {spacing} cm" if best else None)
-        volume = run.summary()["outcome"].get("compacted_volume")
+        volume = run.result()["outcome"].get("compacted_volume")
         if best and volume and "volume" in column:
             axes.axhline(volume, color=colour, ls="--", lw=1)
     axes.set(xlabel="upward speed [m/s]", ylabel=label)
     axes.set_xlim(left=0.1)
     axes.legend()
-    fig.savefig(FOLDER / name, dpi=110, bbox_inches="tight")
-    plt.close(fig)
+    page.save(fig, name)
 
 
 def profiles(name):
     fig, axes = plt.subplots(figsize=(8, 5))
     for variant in cases.LAWS:
         runs = [cases.compaction(variant, spacing) for spacing in sorted(cases.COMPACTION)]
-        run = next(filter(there, runs), None)
+        run = next(filter(Run.is_there, runs), None)
         if run:
             found = rows(run, "distention.csv")
             axes.plot([row["depth_m"] for row in found], [row["distention"] for row in found], label=variant)
     axes.set(xlabel="depth below the point of impact [m]", ylabel="distention")
     axes.legend()
-    fig.savefig(FOLDER / name, dpi=110, bbox_inches="tight")
-    plt.close(fig)
+    page.save(fig, name)
 
 
 def keep_picture(case, variants, spacings, name):
     """The cut of the finest run of each variant."""
     for variant in variants:
-        run = next(filter(there, (case(variant, spacing) for spacing in sorted(spacings))), None)
+        run = next(filter(Run.is_there, (case(variant, spacing) for spacing in sorted(spacings))), None)
         if run:
-            shutil.copy(run.folder / "outcome.png", FOLDER / f"{name}_{cases.slug(variant)}.png")
+            shutil.copy(run.folder / "outcome.png", page.FOLDER / f"{name}_{cases.slug(variant)}.png")
 
 
-def main():
-    if "--list" in sys.argv:
-        prices = {run.name: seconds for run, seconds in cases.all_runs()}
-        return show([run for run, _ in cases.all_runs()], lambda run: prices[run.name])
-    most = float(sys.argv[sys.argv.index("--most") + 1]) if "--most" in sys.argv else float("inf")
-    perform([run for run, seconds in cases.all_runs() if seconds <= most])
-    blocks = {"Deep Impact": deep_impact(), "Laws of compaction": compaction()}
-    judgement = pathlib.Path(__file__).with_name("judgement.md")
-    text = [HEAD, *(f"## {title}\n\n{block}" for title, block in blocks.items())]
-    if judgement.exists():
-        text.append(judgement.read_text().strip())
-    (FOLDER / "craters.md").write_text("\n\n".join(text) + "\n")
-    print("written to tests/validation/craters.md")
-
-
-main()
+def write(found):
+    judgement = pathlib.Path(__file__).with_name("judgement.md").read_text()
+    return [HEAD, "## Deep Impact", deep_impact(), "## Laws of compaction", compaction(), judgement], []

@@ -1,5 +1,5 @@
 //! Draws figures 1 to 4 of Jutzi, Benz & Michel 2008 (Icarus 198, 242) from the program's own material functions, with no particle:
-//! `cargo run --release --example draw_jutzi08 [FOLDER]`, into tests/validation if not given.
+//! `cargo run --release --example draw_jutzi08`, into the folder that the environment variable FIGURES names, or into tests/validation.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use sph_mpi::material::MaterialTable;
 use sph_mpi::output::figures::curves::{Axis, Figure, Mark, Series};
 
 fn main() {
-    let folder = std::env::args().nth(1).unwrap_or_else(|| "tests/validation".into());
+    let folder = std::env::var("FIGURES").unwrap_or_else(|_| "tests/validation".into());
     if let Err(error) = draw(Path::new(&folder)) {
         eprintln!("error: {error}");
         std::process::exit(1);

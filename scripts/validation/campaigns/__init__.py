@@ -1,43 +1,31 @@
 """The page tests/validation/campaigns.md: Q*_D over radius beside published laws, and what strength, friction and pores do to it."""
 
-import json
 import math
-import os
 import pathlib
 import shutil
-import subprocess
-import sys
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+from common import page
+from common.runs import Study
 
-import page
+PAGE = "campaigns.md"
+BY_NAME = True
+"""Some three core-hours."""
+FROM_SOME = True
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-RUNS = ROOT / "runs" / "campaigns"
 CAMPAIGNS = ["strength", "strength_viscosity", "strength_speed", "strength_resolution", "radius", "radius_contact"]
 HEAD = """# Campaigns: Q*_D over radius and strength
 
-Written by `scripts/validate_campaigns`, which runs `inputs/campaigns/`: impacts at 45 degrees from the normal, 2e4 particles unless said
+Written by `scripts/validate campaigns`, which runs `inputs/campaigns/`: impacts at 45 degrees from the normal, 2e4 particles unless said
 otherwise, uncertainties as each search states them (bracket, residual, shift between two times). What the figures mean stands in
 `scripts/validation/campaigns/judgement.md`."""
 
 
-def command(campaign, *options):
-    ranks = os.environ.get("RANKS", "1")
-    launch = ["mpirun", "-n", ranks] if ranks != "1" else []
-    return [*launch, os.environ["SPH_MPI_BIN"], str(ROOT / "inputs" / "campaigns" / f"{campaign}.toml"), "--threads", "1", *options]
+def study(campaign):
+    return Study(f"campaigns/{campaign}", f"campaigns/{campaign}.toml")
 
 
-def perform(campaign):
-    folder = RUNS / campaign
-    resume = ["--resume"] if folder.exists() else []
-    subprocess.run(command(campaign, "--quiet", "--out", str(folder), *resume), check=True, cwd=ROOT)
-
-
-def there(campaign):
-    """Rows of its thresholds; none where it has not been run."""
-    found = RUNS / campaign / "study.json"
-    return json.loads(found.read_text()).get("thresholds", []) if found.exists() else []
+def runs():
+    return [study(campaign) for campaign in CAMPAIGNS]
 
 
 def quotient(a, b):
@@ -172,46 +160,26 @@ def by_geometry(centre, contact):
 
 
 def keep(campaign):
-    figure = RUNS / campaign / "q_star.png"
+    figure = study(campaign).folder / "q_star.png"
     if figure.exists():
         shutil.copy(figure, page.FOLDER / f"campaign_{campaign}.png")
     return f"![Q*_D over the radius](campaign_{campaign}.png)"
 
 
-def main():
-    if "--list" in sys.argv:
-        for campaign in CAMPAIGNS:
-            done = there(campaign)
-            print(f"{campaign}: {sum(row['core_seconds'] for row in done):.0f} core-s in {len(done)} searches that are there", flush=True)
-            subprocess.run(command(campaign, "--points"), check=True, cwd=ROOT)
-        return
-    if "--page" not in sys.argv:
-        for campaign in CAMPAIGNS:
-            perform(campaign)
+def write(found):
+    rows = {campaign: found.get(study(campaign).name, {}).get("thresholds", []) for campaign in CAMPAIGNS}
     parts = [HEAD]
-    if strength := there("strength"):
-        parts.append("## What strength, friction, pores and cohesion do (Jutzi 2015)\n\n" + statements(strength))
-        parts.append(thresholds(strength))
-    if rows := there("strength_viscosity"):
-        parts.append("## Friction and pores: artificial viscosity (1.5 above), 10 km, 5 km/s\n\n" + by_viscosity(rows))
-        parts.append(thresholds(rows))
-    if rows := without_scene(there("strength_speed")):
-        parts.append("## Friction and pores: speed and size\n\n" + by_scene(rows))
-        parts.append(thresholds(there("strength_speed")))
-    if rows := there("strength_resolution"):
-        parts.append("## Friction and pores: resolution, 10 km, 5 km/s\n\n" + factors(rows, "particles", "particles"))
-        parts.append(thresholds(rows))
-    if rows := there("radius"):
-        parts.append("## Q*_D over the radius\n\n" + regimes(rows) + "\n\n" + keep("radius"))
-        parts.append(thresholds(rows))
-        if contact := there("radius_contact"):
-            parts.append("### Where 45 degrees are measured\n\n" + by_geometry(rows, contact))
-            parts.append(thresholds(contact))
-    judgement = pathlib.Path(__file__).with_name("judgement.md")
-    if judgement.exists():
-        parts.append(judgement.read_text().strip())
-    (page.FOLDER / "campaigns.md").write_text("\n\n".join(parts) + "\n")
-    print("written to tests/validation/campaigns.md")
-
-
-main()
+    if strength := rows["strength"]:
+        parts += ["## What strength, friction, pores and cohesion do (Jutzi 2015)", statements(strength), thresholds(strength)]
+    if viscosity := rows["strength_viscosity"]:
+        parts += ["## Friction and pores: artificial viscosity (1.5 above), 10 km, 5 km/s", by_viscosity(viscosity), thresholds(viscosity)]
+    if speed := rows["strength_speed"]:
+        parts += ["## Friction and pores: speed and size", by_scene(without_scene(speed)), thresholds(speed)]
+    if resolution := rows["strength_resolution"]:
+        parts += ["## Friction and pores: resolution, 10 km, 5 km/s", factors(resolution, "particles", "particles"), thresholds(resolution)]
+    if radius := rows["radius"]:
+        parts += ["## Q*_D over the radius", regimes(radius), keep("radius"), thresholds(radius)]
+        if contact := rows["radius_contact"]:
+            parts += ["### Where 45 degrees are measured", by_geometry(radius, contact), thresholds(contact)]
+    parts.append(pathlib.Path(__file__).with_name("judgement.md").read_text())
+    return parts, []
