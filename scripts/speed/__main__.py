@@ -49,9 +49,9 @@ Phases in per cent: {", ".join(phases)}.
 
 {effects.table(effects.measure(settings))}
 
-The impact has viscosity, corrected gradient and forces without torque (which go with it), records, fracture and strength; the last rows, from artificial stress on, add what it does not have.
+The impact has viscosity, corrected gradient and forces without torque (which go with it), records, fracture and strength; the last rows, from artificial stress on, add what it lacks.
 
-Pores change the flow, not only what a particle costs: the goal is 1.3 on the whole step.
+Pores change the flow, not only the cost per particle: the goal is 1.3 on the whole step.
 
 ## Pair loops beside the ceiling
 

@@ -50,7 +50,7 @@ def page(load):
 
 {model}, {cores}, under Slurm {output("sinfo", "--version").split()[1]}. The first {os.environ.get("STEPS", "100")} steps of inputs/impact.toml, every
 rank and thread on a core of its own but where marked. By `scripts/bench cluster`, with a load of {load} of others at its start:
-a load near 0 is needed for wall times and waits that mean something.
+wall times and waits are reliable only with a load near 0.
 
 {output(sys.executable, "cluster/scaling.py", str(OUT))}
 ![Speed-up against ranks](scaling.png)

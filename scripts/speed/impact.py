@@ -101,7 +101,7 @@ def table(runs, ceiling=None, gravity=None):
     if ceiling and gravity:
         accuracy, error, cost = gravity
         what = f"microseconds of a body in an evaluation of self-gravity, 1e5 bodies, median error {error:.1e} (accuracy {accuracy:g})"
-        rows += [(what, f"{cost:.2f}"), ("the same in interactions of the ceiling (asked for: at most 650)", f"{cost * ceiling:.0f}")]
+        rows += [(what, f"{cost:.2f}"), ("the same in interactions of the ceiling (required: at most 650)", f"{cost * ceiling:.0f}")]
     rows += [
         ("life of a list, steps", f"{run['steps'] / run['list_builds']:.1f}"),
         ("two ranks against one", speedup(run, runs["ranks"])),

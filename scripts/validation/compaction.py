@@ -156,26 +156,26 @@ def write(found):
     head = ["wave", *COLUMNS, "stress, L1", "energy drift", "particles", "core-s"]
     allowed = ", ".join(f"{what} {page.percent(tolerance)}" for what, (_, tolerance) in COLUMNS.items())
     text = f"""Errors against the jump conditions, which the program solves from the scene's own numbers: pressure, density, distention and energy
-behind the compaction shock, its speed, the precursor's pressure and speed. In the plane unless space is named. Asked for at the
-finest spacing: {allowed}. Fronts start a spacing late and stay so: their speeds converge with order one. Behind a shock that squeezes the
+behind the compaction shock, its speed, the precursor's pressure and speed. In the plane unless space is named. Required at the
+finest spacing: {allowed}. Fronts start a spacing late and remain so: their speeds converge with order one. Behind a shock that compresses the
 lattice along one axis by a fifth, sums are off by half a per cent in pressure at any spacing. At alpha_0 = 3 the layer behind the shock is a
-third as thick as what it was. At 1000 m/s the shock is 8 per cent slower than the precursor, whose weak front viscosity spreads with the root of time. That they
-part takes a column three times as long and alpha = 0.5, hence steps of a third: particles vibrate more, and lose three times the energy. The paper's
+third as thick as before. At 1000 m/s the shock is 8 per cent slower than the precursor, whose weak front is widened by viscosity with the root of time. To see them
+part, the column is three times as long and alpha = 0.5, hence steps of a third: particles vibrate more, and lose three times the energy. The paper's
 cylinder has a spacing of 87 um, and the error of its precursor's speed, 1.43 %, lies where 1.53, 0.69 and 0.32 % at 100, 50 and 25 um put it.
 
 {page.table(head, rows)}
 
 ![Stress](compaction_stress.png) ![Distention](compaction_distention.png)
 
-**What accuracy costs** (`mpirun -n 2 sph-mpi inputs/studies/compaction_wave.toml`, kept beside it, so that `sph-mpi inputs/compaction_wave.toml
---accuracy 2%` knows): each line changes one thing of the scene, whose kernel is Wendland's with 92 neighbours.
+**What accuracy costs** (`mpirun -n 2 sph-mpi inputs/studies/compaction_wave.toml`, kept beside it, for `sph-mpi inputs/compaction_wave.toml
+--accuracy 2%`): each line changes one thing of the scene, whose kernel is Wendland's with 92 neighbours.
 
 {study()}
 
 ![Error against cost](compaction_study.png)
 
-All settings converge with order one, as fronts do; viscosity and kernel decide about the constant. Twice the Courant number costs half and changes
-no error here; the scene does with less for the energy of particles that vibrate behind the shock: 1.9e-3 of it are lost with 0.3.
+All settings converge with order one, as fronts do; viscosity and kernel determine the constant. Twice the Courant number costs half and changes
+no error here; the scene takes a smaller number for the energy of particles that vibrate behind the shock: 1.9e-3 of it are lost with 0.3.
 
 Figures 1 to 4 of the paper from the material functions:
 `cargo run --release --example draw_jutzi08`.

@@ -72,10 +72,10 @@ def write(found):
     draw()
     head = ["law", "rows", "by density", "by distention", "scatter", "P at alpha = 3", "P at alpha = 1.5", "energy drift", "steps", "core-s"]
     text = f"""`inputs/crush_curve.toml`: a column that becomes 4.6 times shorter. Largest error against the curve that was put in, between {RANGE[0] / 1e6:g} and
-{RANGE[1] / 1e6:g} MPa: of the distention that an experiment would state from the density, and of the particles' own; how unevenly it is crushed; and
-by how much the pressure at a distention is above the curve's. P-alpha is asked for {page.percent(CURVE)} and a scatter of {page.percent(EVEN)}. With rho-alpha
-the curve takes the pressure of cold matter, so that pressure is above it by what the work of crushing heats: that is its thermal part and no error.
-The error by density is larger than that by distention where the matrix itself is squeezed.
+{RANGE[1] / 1e6:g} MPa: of the distention that an experiment would give from the density, and of the particles' own; how unevenly it is crushed; and
+by how much the pressure at a distention is above the curve's. Required of P-alpha: {page.percent(CURVE)} and a scatter of {page.percent(EVEN)}. With rho-alpha
+the curve is entered with the pressure of cold matter, so that pressure lies above it by its thermal part, from the work of crushing; this is no error.
+The error by density is larger than that by distention where the matrix itself is compressed.
 
 {page.table(head, lines)}
 

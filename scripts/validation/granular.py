@@ -167,7 +167,7 @@ def write(found):
     text = f"""`inputs/column_collapse.toml`, a the height over the half width, lengths in half widths: a channel, Drucker and Prager's law with a friction of
 0.5 in sqrt(J2), which is 30 degrees for shear in the plane. Laws as Lube et al. 2005 give them for channels: run-out 1.2 a (a < 1.8) and
 1.9 a^(2/3) (a > 2.8), height a (a < 1.15) and 0.65 a^(2/5), to {page.percent(TOLERANCE)} (their scatter, and grains of other friction). Five times
-sqrt(H / g) after the start, when experiments have come to rest for long.
+sqrt(H / g) after the start, long after experiments have come to rest.
 
 {page.table(head, lines)}
 
@@ -178,7 +178,7 @@ without end holds up to atan(0.5) = 26.6 degrees (section *At rest*). Heaps that
 from.
 
 The foot is where less than two layers of particles are left, and the last of the flank is thin: with finer particles it reaches
-farther out. Heights beyond a = 1.15 are a quarter to a third above the law, whose own height jumps there; the deposits here have none such.
+farther out. Heights beyond a = 1.15 are a quarter to a third above the law, whose own height jumps there; deposits here have no such jump.
 With a = 1:
 
 {page.table(["changed", "run-out", "height", "slope, deg"], others)}
@@ -186,9 +186,9 @@ With a = 1:
 **On all sides.** Round columns, radius for half width, after Lube et al. 2004: run-out 1.24 a (a < 1.7) and 1.6 a^(1/2), height a (a < 1) and
 0.88 a^(1/6). Sound is {SOUND_3D} times as fast as sqrt(g H). In three dimensions particles are few (along the radius {", ".join(f"{n} at a = {a:g}" for a, n in ROUND.items())}),
 and two layers of them would be a large part of the deposit: here the foot is the circle beyond which a hundredth of the sand lies. Of a cone that
-is 0.94 of its radius. Low columns run less far than the law; half as many particles again along the radius take a good part of that away (below), as
+is 0.94 of its radius. Low columns run less far than the law; half as many particles again along the radius take much of that away (below), as
 more of them make the channel's run-out longer, too. Heaps are lower than the law: a friction of 0.5 in sqrt(J2) is 30 degrees for shear in the plane, but
-22 in triaxial compression, which presumably is nearer to what spreading on all sides sees.
+22 in triaxial compression, which presumably is nearer to the stress state of spreading on all sides.
 
 {page.table(head, round_lines)}
 

@@ -72,7 +72,7 @@ def write(found):
         summary = found[planet(interval).name]
         rests.append([f"{interval:g}", f"{summary['energy_drift']:.1e}", f"{summary['momentum_drift']:.1e}", f"{100 * summary['phases']['gravity']:.1f} %", f"{per_step(summary) / without:.2f}"])
     return f"""Forces in an even ball against sums over all bodies (`cargo bench --bench gravity`), one core; the ceiling, the stripped pair loop of
-`tests/benches/ceiling.rs`, made {ceiling:.0f} million interactions per second in the same run. Asked for: at most {CEILING_INTERACTIONS} interactions per
+`tests/benches/ceiling.rs`, made {ceiling:.0f} million interactions per second in the same run. Required: at most {CEILING_INTERACTIONS} interactions per
 body at a median error of 1e-3 or less.
 
 {text.split(chr(10))[0]}
@@ -81,8 +81,8 @@ body at a median error of 1e-3 or less.
 
 ![Error against cost](gravity.png)
 
-A cold cloud that falls into itself, up to 0.86 of the free-fall time (`inputs/collapse.toml`, 5000 particles); drift of energy over the
-largest sum of the sizes of its kinds. Its radius is compared in `tests/gravity.rs`.
+A cold cloud that collapses, up to 0.86 of the free-fall time (`inputs/collapse.toml`, 5000 particles); drift of energy over the
+largest sum of the magnitudes of its kinds. Its radius is compared in `tests/gravity.rs`.
 
 {page.table(["accuracy", "interval", "drift of energy", "of momentum", "steps", "core-s"], falls)}
 

@@ -87,9 +87,9 @@ def write(found):
             )
     head = ["material", "impact km/s", "P exact GPa", "ours, 2D", "error 2D", "error 3D", "U_s exact m/s", "ours, 2D", "error 2D", "error 3D", "U_s of the fit to data", "ours to data"]
     sources = "; ".join(f"{material}: U_s = {c} + {s} u_p km/s, {source}" for material, (c, s, source) in DATA.items())
-    text = f"""Like on like, until the shock has passed 30 cm, spacing {1000 * SPACING[2]:g} mm in 2D and {1000 * SPACING[3]:g} mm in 3D. Exact are the
+    text = f"""A plate hits a plate of the same material, until the shock has passed 30 cm, spacing {1000 * SPACING[2]:g} mm in 2D and {1000 * SPACING[3]:g} mm in 3D. Exact are the
 jump conditions with the scene's equation of state, solved here once more. Tolerance {page.percent(BOUND[2])} in 2D and {page.percent(BOUND[3])} at the wider
-spacing in 3D: the shock starts about a spacing late, and sums over a squeezed lattice are off by about one per cent.
+spacing in 3D: the shock starts about a spacing late, and sums over a compressed lattice are off by about one per cent.
 
 {page.table(head, lines)}
 

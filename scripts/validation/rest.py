@@ -29,7 +29,7 @@ RESTING = {
 }
 WITHOUT = {
     "rubble pile, half the particles, whose forces exert a torque": ("rubble_turning_coarse", "rest_rubble.toml", ["pile.particles=1000", "numerics.angular_momentum=false"]),
-    "rubble pile whose forces exert a torque: it turns, ever faster": ("rubble_turning", "rest_rubble.toml", ["numerics.angular_momentum=false"]),
+    "rubble pile whose forces exert a torque: it rotates, ever faster": ("rubble_turning", "rest_rubble.toml", ["numerics.angular_momentum=false"]),
     "ball that starts without load": ("ball_unloaded", "rest_sphere.toml", ["ball.start=unloaded"]),
     "pile that is not damped at first": ("pile_undamped", "rest_pile.toml", ["sand.motion=false"]),
     "pile without friction (damage weakens shear)": ("pile_smooth", "rest_pile.toml", ["material.sand.strength.drucker_prager=false"]),
@@ -100,24 +100,24 @@ def write(found):
             failures.append(f"slope of friction {friction:g}: slides at {angle:.3g} degrees, {expected:.3g} expected (allowed: {ANGLE:g})")
         tables += rows
         angles.append([f"{friction:g}", rows[0][1], f"{angle:.2f}" + (" **missed**" if missed else ""), f"{expected:.2f}", f"{math.degrees(math.asin(friction)):.2f}"])
-    return f"""Nothing may happen: fully damaged matter with friction for two free-fall times and ten crossings of sound or more, at moduli with which
+    return f"""Nothing may move: fully damaged matter with friction for two free-fall times and ten crossings of sound or more, at moduli with which
 sound is 25 times as fast as free fall. `inputs/rest_sphere.toml` starts under its own weight, `inputs/rest_pile.toml` is damped for 0.3 s
-before speeds count, and the blocks of `inputs/rest_rubble.toml` have fallen together by 3600 s. Rms speeds over sqrt(G M / R) or sqrt(g H), asked for: {STILL:g}; pressure in a tenth of the depth against
-2/3 pi G rho^2 (R^2 - r^2), over that in the middle, asked for: {page.percent(PRESSURE)}. Softened gravity is weaker by (h / R)^2, 0.9
+before speeds count, and the blocks of `inputs/rest_rubble.toml` have fallen together by 3600 s. Rms speeds over sqrt(G M / R) or sqrt(g H), required: {STILL:g}; pressure in a tenth of the depth against
+2/3 pi G rho^2 (R^2 - r^2), over that in the middle, required: {page.percent(PRESSURE)}. Softened gravity is weaker by (h / R)^2, 0.9
 and 0.6 per cent here, and the last tenth of the depth is one or two spacings of particles: their pressure is a little too large.
 
 {page.table(["", "largest speed", "at the end", "pressure off by", "energy drift", "particles", "steps", "core-s"], still)}
 
-What it takes; each of these moves:
+What is necessary; each of these variants moves:
 
 {page.table(["", "largest speed", "at the end"], without)}
 
-**Slopes.** A layer 10 cm thick without end on a rough floor (`inputs/slope.toml`), tilted by gravity, which acts along the period, too. Friction
-bounds sqrt(J2) by mu P. Along such a slope nothing stretches (plane strain, and no place differs from any other), so that plastic flow is
+**Slopes.** An infinite layer, 10 cm thick, on a rough floor (`inputs/slope.toml`), tilted by gravity, which acts along the period, too. Friction
+bounds sqrt(J2) by mu P. Along such a slope nothing stretches (plane strain, translational symmetry), so that plastic flow is
 pure shear and turns the deviator until the shear stress is its only component: normal stresses are then all P, in the plane and
 across it, and the slope slides where tan(angle) = mu, whatever the stress was at first. It is *not* the angle whose sine is mu, for which a
 plane with free normal stresses would take it. A slope slides here if it is faster at the end, half a second, than at half of it by a fifth, and above {5 * STILL:g};
-within some tenths of a degree of its angle it goes on at about the speed that it has got at the start, when the tilt sets in at once.
+within some tenths of a degree of its angle it keeps about the speed that it got at the start, when the tilt begins at once.
 
 {page.table(["friction mu", "spacing", "begins to slide at, deg", "atan(mu)", "asin(mu)"], angles)}
 

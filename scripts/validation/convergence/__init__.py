@@ -94,7 +94,7 @@ L1 errors are means over volume of |q - exact|, over the largest exact value. Th
 of this took {seconds / 60:.0f} core-minutes.
 
 {NOTES}
-What the choices of the scenes are worth:
+What the settings of the scenes are worth:
 
 {choices.table(found)}
 
@@ -114,15 +114,15 @@ NOTES = """- **Sums over the lattice.** The momentum sum is not normalised (this
   factor that depends on lattice and neighbours: with the cubic spline and eta = 1.2 it is 1.026 in the close-packed plane and
   1.023 in space, at any spacing. Sound is then faster by half of that, and pressures behind shocks are off by about as much.
   With Wendland's kernel and eta = 1.4 the factor is 0.998 and 0.999: the scenes of solids and the shock tube use it. Behind
-  a shock the lattice is squeezed along one axis, which makes the same error larger.
+  a shock the lattice is compressed along one axis, which makes the same error larger.
 - **Density by continuity.** Behind a strong shock particles lose their order, and the density that they have integrated then
-  exceeds mass over volume; viscosity that keeps the order blurs the shock and heats what converges before it. The next table
+  exceeds mass over volume; viscosity that keeps the order smears the shock and heats what converges before it. The next table
   has both densities for Noh's problem in space. Their own density is too high by a quarter and more, and the more so the
   further the shock has gone in spacings; as it gives the volumes m / rho with which pairs act, pressure acts too weakly, and mass
-  over volume passes the exact density, too. At 0.05 m this hides what wall heating and the blurred shock take away, at 0.035 m
+  over volume passes the exact density, too. At 0.05 m this hides the losses by wall heating and the smeared shock, at 0.035 m
   it no longer does: so the error of density rises again, while those of velocity and of a density summed over neighbours
   go on falling. The correction of gradients makes a part of it; wider kernels make it worse. It is the price of a density
-  by continuity with little viscosity, is not mended here, and a finer lattice would not mend it. Errors of Sedov's
+  by continuity with little viscosity, is not corrected here, and a finer lattice would not correct it. Errors of Sedov's
   problem that do not fall with the spacing have the same reason. In rock, whose density changes little, plateaus show no such
   drift: pressures behind shocks of flyers are right to some tenths of a per cent.
 - **Wall heating** at the centre of Noh's implosion and at the contact of flyers is the known error of artificial viscosity: it is
@@ -130,6 +130,6 @@ NOTES = """- **Sums over the lattice.** The momentum sum is not normalised (this
 - **Free surfaces** make bodies soft over about a spacing: frequencies are too low, with order one.
 - **Spins.** A spinning body is in tension, and forces along a stress turn it: by 1e-4 of its angular momentum in a turn, and by a per cent
   where a disc of fine spacing clumps without artificial stress. Forces without torque (`angular_momentum`) keep it to 1e-8, and to 1e-7 where it clumps.
-  Without viscosity modes of the free surface grow within some turns. Little viscosity (alpha = 0.1) stops these, and takes nothing from
+  Without viscosity modes of the free surface grow within some turns. Little viscosity (alpha = 0.1) stops these, and does not affect
   a rigid rotation.
 """

@@ -52,7 +52,7 @@ def sod(dimension):
         lambda d: slab(bodies, d, dimension, rows=14),
         [
             Measure("density_l1", "density, L1", 0.004 if dimension == 2 else 0.01, SHOCK),
-            Measure("plateau_2_stress", "pressure, left of the contact", 0.01 if dimension == 2 else 0.03, "sums over a squeezed lattice", 0.303130, "Pa"),
+            Measure("plateau_2_stress", "pressure, left of the contact", 0.01 if dimension == 2 else 0.03, "sums over a compressed lattice", 0.303130, "Pa"),
             Measure("plateau_2_velocity", "velocity there", 0.01, "as for pressure", 0.927453, "m/s"),
             Measure("front_2_speed", "speed of the shock", 0.015, OFFSET, 1.752156, "m/s"),
         ],
@@ -120,7 +120,7 @@ def flyer(material, dimension, stress, speed):
         lambda d: slab({"flyer": (-0.4, 0.0, 4000), "target": (0.0, 0.4, None)}, d, dimension),
         [
             Measure("stress_l1", "pressure, L1", 0.04, SHOCK),
-            Measure("plateau_2_stress", "pressure", 0.005, "sums over a squeezed lattice", stress, "Pa"),
+            Measure("plateau_2_stress", "pressure", 0.005, "sums over a compressed lattice", stress, "Pa"),
             Measure("plateau_2_internal_energy", "internal energy", 0.08, HEATING, 2e6, "J/kg"),
             Measure("front_2_speed", "speed of the shock", 0.02, OFFSET, speed, "m/s"),
         ],
@@ -133,7 +133,7 @@ def release(material, dimension, velocity, energy):
         lambda d: slab({"flyer": (-0.4, 0.0, 2000), "target": (0.0, 0.3, None)}, d, dimension),
         [
             Measure("velocity_l1", "velocity, L1", 0.01, SURFACE),
-            Measure("plateau_1_velocity", "velocity of the free surface", 0.01, "1 per cent asked for", velocity, "m/s"),
+            Measure("plateau_1_velocity", "velocity of the free surface", 0.01, "required: 1 per cent", velocity, "m/s"),
             Measure("plateau_1_internal_energy", "residual energy", 0.25, "a small difference of heating and release, to which the smeared shock adds: order 1", energy, "J/kg"),
         ],
     )

@@ -1,4 +1,4 @@
-"""What the choices of the scenes are worth: kernel, gradient, viscosity and forces without torque as they are and otherwise."""
+"""What the settings of the scenes are worth: kernel, gradient, viscosity and forces without torque as they are and otherwise."""
 
 from common import page
 from common.runs import Run

@@ -62,8 +62,8 @@ def write():
     calm = curve(found["10000_calm"])[1].max()
     return "\n\n".join(
         [
-            f"`inputs/tensile_bar.toml`: 40 x 10 x 10 mm, {particles} particles of 1 mm^3 with the whole of the program acting (Tillotson, strength, "
-            "viscosity, corrected gradient), gripped at its ends by layers of 3 mm that move apart, sides free. The elements are as many and as large, "
+            f"`inputs/tensile_bar.toml`: 40 x 10 x 10 mm, {particles} particles of 1 mm^3 with the whole program (Tillotson, strength, "
+            "viscosity, corrected gradient), held at its ends by layers of 3 mm that move apart, sides free. The elements are as many and as large, "
             "solved without time steps.",
             table(["rate (1/s)", "bar, strength (MPa)", "elements (MPa)", "difference", "steps"], rows),
             f"Without artificial viscosity the bar at 1e4 1/s has {calm / 1e6:.1f} MPa. The slower the pull, the more waves carry load from "

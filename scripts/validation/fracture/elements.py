@@ -40,8 +40,8 @@ def flaws():
         "A ball of basalt of 3 cm, k = 4e35 m^-3, m = 9. The original assignment deals flaws to particles until each of N has one: "
         "N (ln N + 0.577) ± 1.28 N in all. Ours gives each particle a Poisson process that ends at k V eps^m = mu = ln N + 0.577, and "
         "one flaw where that is empty: N (mu + exp(-mu)) ± sqrt(N mu) in all, the same mean to 0.56 of a flaw and far less "
-        "scatter, as no particle has to wait for the last one of the body.",
-        table(["N", "flaws", "expected of ours", "in its deviations", "of the original", "difference / N (asked: 1.3)"], rows),
+        "scatter, as no particle depends on the last one of the body.",
+        table(["N", "flaws", "expected of ours", "in its deviations", "of the original", "difference / N (required: 1.3)"], rows),
         f"The weakest threshold of a particle against 1 - exp(-k V eps^m), {len(fits['seed'])} seeds of {fits['particles'][0]:.0f} particles: "
         f"Kolmogorov's sqrt(N) D lies between {fits['kolmogorov'].min():.2f} and {fits['kolmogorov'].max():.2f}; "
         "a true sample exceeds 1.36 once in 20 and 1.63 once in 100.",
@@ -89,13 +89,13 @@ def rates():
         "Elements of the program (its own update of damage, 20 000 for each rate, each rate with a seed of its own) are pulled along one "
         "axis and free to contract. Their edge follows the rate, d = c_g t_f / 2. In units of t_f and eps_f = rate t_f nothing then "
         "depends on the rate: k V eps_f^m = (m+1)(m+2)(m+3) / (64 pi) = 6.57 flaws per element, c_g t_f / R_s = 0.833. The exponent "
-        "3 / (m + 3) is therefore exact for one seed (tests/fracture.rs asks for 1e-10) and what is left to see is that the program has no "
+        "3 / (m + 3) is therefore exact for one seed (tests/fracture.rs requires 1e-10) and what remains to be shown is that the program has no "
         "other scale, and the scatter.",
         table(
             ["rate (1/s)", "edge (mm)", "strength (MPa)", "theory (MPa)", "ratio"],
             [(f"{r:g}", f"{1e3 * d:.4g}", f"{p / 1e6:.3f} ± {e / 1e6:.3f}", f"{t / 1e6:.3f}", f"{p / t:.4f}") for r, d, p, e, t in zip(*found.values())],
         ),
-        f"Slope {slope:.5f} ± {error:.5f} against {exponent:.5f}: {percent(slope / exponent - 1)} off, asked for 2 %, three errors are "
+        f"Slope {slope:.5f} ± {error:.5f} against {exponent:.5f}: {percent(slope / exponent - 1)} off, required 2 %, three errors are "
         f"{percent(3 * error / exponent)}. Prefactor {factors.mean():.4f} ± {(found['error'] / found['theory']).mean() / len(factors) ** 0.5:.4f} of the "
         f"closed form. A solution without time steps and with other random numbers (`scripts/validation/fracture/basalt.py`) has "
         f"{ours:.4f} ± {own_error:.4f}; the reference has 1.34. It follows from R_s = 2h = 2.4 d: to break an element of volume d^3 a "
