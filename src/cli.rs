@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Parser;
 
-use crate::campaigns::study::settings;
+use crate::study::settings;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -22,11 +22,16 @@ pub mod outcome;
 pub mod output;
 pub mod scene;
 
+pub mod process;
 pub mod step;
 
+pub mod comparison;
 pub mod simulation;
 
-pub mod campaigns;
+pub mod forecast;
+pub mod threshold;
+
+pub mod study;
 
 pub mod cli;
 pub mod program;

@@ -1,5 +1,5 @@
 #[global_allocator]
-static ALLOCATOR: sph_mpi::simulation::memory::Allocator = sph_mpi::simulation::memory::Allocator;
+static ALLOCATOR: sph_mpi::process::memory::Allocator = sph_mpi::process::memory::Allocator;
 
 fn main() {
     std::process::exit(sph_mpi::program::main());

@@ -6,20 +6,22 @@ use std::path::{Path, PathBuf};
 
 use clap::Parser;
 
-use crate::campaigns::study::{self, Part, Sources, Study, points, stored};
-use crate::campaigns::{cost, search};
 use crate::cli::Args;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result, plain};
+use crate::forecast::cost;
 use crate::math::lanes;
 use crate::output::summary::Accuracy;
 use crate::output::{agree, collective};
+use crate::process::faults::Fault;
+use crate::process::lock::{Lock, Work};
+use crate::process::{directory, log, resources, signals};
 use crate::scene::source::Source;
 use crate::scene::{self, Scene, input};
-use crate::simulation::faults::Fault;
-use crate::simulation::lock::{Lock, Work};
-use crate::simulation::{self, Ended, Options, directory, log, resources, signals};
+use crate::simulation::{self, Ended, Options};
 use crate::step::workers;
+use crate::study::{self, Part, Sources, Study, points, stored};
+use crate::threshold::search;
 
 /// Exit codes beside 0.
 const BAD_INPUT: i32 = 2;

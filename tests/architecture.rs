@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// Folders and single files of `src/`, lowest floor first. A file imports from lower floors or its own folder only. `error`
 /// stands below the other files of the lowest floor, as they report errors, `random` below `math`, whose tests draw numbers, and
 /// `cli` below `program`.
-const FLOORS: [&[&str]; 12] = [
+const FLOORS: [&[&str]; 15] = [
     &["error", "warning"],
     &["random"],
     &["math", "units"],
@@ -15,11 +15,14 @@ const FLOORS: [&[&str]; 12] = [
     &["domain", "neighbours"],
     &["material", "pair", "gravity", "motion"],
     &["scene", "exact", "outcome", "output"],
-    &["step"],
+    &["step", "process"],
+    &["comparison"],
     &["simulation"],
-    &["campaigns"],
+    &["forecast", "threshold"],
+    &["study"],
     &["cli"],
-    &["program", "main", "lib"],
+    &["program"],
+    &["main", "lib"],
 ];
 
 /// The one file that names MPI. Output hands its raw communicator to HDF5.

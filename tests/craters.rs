@@ -6,8 +6,9 @@ use std::path::Path;
 use sph_mpi::domain::comm::Comm;
 use sph_mpi::material::{BodyConstants, declare_core};
 use sph_mpi::math::Vec3;
-use sph_mpi::outcome::crater::{self, Grain, Question};
+use sph_mpi::outcome::crater::{self, Question};
 use sph_mpi::outcome::profiles::{Bowl, Ejecta, Pores, PoresRow};
+use sph_mpi::outcome::target_particle::TargetParticle;
 use sph_mpi::particles::{ColumnInfo, Columns, Life, ParticleId, Registry};
 use sph_mpi::random::uniform;
 use sph_mpi::scene::{self, Scene};
@@ -150,15 +151,15 @@ fn ground_is_hit_in_the_middle() {
     let hit: Vec<f64> = (0..3).map(|k| projectile.centre[k] + v[k] * time).collect();
     assert!((hit[0] - 4.0).abs() < 1e-9 && hit[1] == -2.0 && (hit[2] - 8.2).abs() < 1e-9, "{hit:?}");
     assert!((v[0] / v[2] - 3f64.sqrt()).abs() < 1e-12 && time * 5e3 > target.lattice.spacing);
-    assert!((sph_mpi::simulation::report::first_contact(&scene) - time).abs() < 1e-9 * time);
+    assert!((sph_mpi::simulation::scales::first_contact(&scene) - time).abs() < 1e-9 * time);
     assert!(
         scene.hits_ground()
             && !parse(GROUND, &["target.shape={ sphere = { radius = 10 } }", "outcome=false"]).unwrap().hits_ground()
     );
 }
 
-fn grain(height: f64, x: f64, speed: f64) -> Grain {
-    Grain {
+fn grain(height: f64, x: f64, speed: f64) -> TargetParticle {
+    TargetParticle {
         height,
         aside: [x, 0.0],
         speed,
@@ -182,7 +183,8 @@ fn tables_by_hand() {
         assert_eq!([at(10.0).mass, ejecta.rows[ejecta.rows.len() - 1].mass, ejecta.rows[0].speed], [3.0, 3.0, 0.01]);
 
         // Cells of 2 m: three of them 1.5 and 3 m deep, one as it was. The particles are cubes of 1 m.
-        let cube = |height: f64, x: f64, y: f64| Grain { aside: [x, y], volume: 1.0, ..grain(height, 0.0, 0.0) };
+        let cube =
+            |height: f64, x: f64, y: f64| TargetParticle { aside: [x, y], volume: 1.0, ..grain(height, 0.0, 0.0) };
         let ground = [(-3.5, 1.0), (-5.0, 0.5), (-2.0, -3.0), (-0.5, 5.0)];
         let bowl = |dimension: usize| {
             let y = if dimension == 3 { 1.0 } else { 0.0 };
@@ -195,12 +197,12 @@ fn tables_by_hand() {
         // In 2D there is one row of cells, half of which the last particle reaches.
         assert_eq!(bowl(2).size(), [1.5, 2.0]);
         // A large particle fills what lies below it and beside.
-        let wide = Grain { volume: 64.0, ..cube(-1.0, 1.0, 1.0) };
+        let wide = TargetParticle { volume: 64.0, ..cube(-1.0, 1.0, 1.0) };
         assert_eq!(Bowl::measure(comm, [wide].into_iter(), (1.0, 12.0), 3).table().lines().count(), 1 + 9);
         let flat = Bowl::measure(comm, [grain(-0.5, 1.0, 0.0)].into_iter(), (1.0, 10.0), 3);
         assert_eq!(flat.size(), [0.0; 2]);
 
-        let far = Grain { distention: Some([1.0, 3.0]), ..grain(-0.6, 1.0, 0.0) };
+        let far = TargetParticle { distention: Some([1.0, 3.0]), ..grain(-0.6, 1.0, 0.0) };
         let grains = [grain(-0.5, 0.0, 0.0), far, grain(-2.5, 0.0, 0.0), grain(-0.5, 2.0, 0.0), grain(0.5, 0.0, 0.0)];
         let row = |depth, mean, least| PoresRow { depth, mean, least, largest: 2.0 };
         let pores = Pores::measure(comm, grains.into_iter(), (1.0, 10.0));

@@ -279,7 +279,7 @@ fn a_number_that_is_none_is_named_and_the_state_before_it_saved() {
 fn too_little_memory() {
     let dir = tempfile::tempdir().expect("a temporary directory");
     // No particle takes less than 300 bytes.
-    let particles = sph_mpi::simulation::resources::available_bytes() / 300.0;
+    let particles = sph_mpi::process::resources::available_bytes() / 300.0;
     let setting = format!("target.particles={particles:.0}");
     let output = Launch::in_directory(2, dir.path(), IMPACT, &["--set", &setting]).limit(60).run();
     assert_one_error(&output.expect_code(BAD_INPUT), &["scene.toml", "GB of memory available", "fewer particles"]);

@@ -8,7 +8,7 @@ use sph_mpi::gravity::{Body, Field, G, Opening, solve, solve_later};
 use sph_mpi::math::Vec3;
 use sph_mpi::random::uniform;
 use sph_mpi::scene::Scene;
-use sph_mpi::simulation::setup::free_fall_time;
+use sph_mpi::simulation::scales::free_fall_time_of;
 
 use crate::common::{ByHand, ranks, same_on_any_ranks};
 
@@ -364,7 +364,7 @@ fn cold_collapse() {
         let potential = -0.6 * G * start.mass * start.mass / 1e4;
         let found = start.potential.expect("gravity");
         assert!((found / potential - 1.0).abs() < 0.02, "{found} {potential}");
-        let fall = free_fall_time(1000.0);
+        let fall = free_fall_time_of(1000.0);
         for x in [0.5, 0.7, 0.85f64] {
             let time = 2.0 / PI * fall * (x + 0.5 * (2.0 * x).sin());
             cloud.run(time, |_| {});

@@ -3,7 +3,7 @@
 
 use crate::common::same_on_any_ranks;
 use sph_mpi::domain::ghosts::Extent;
-use sph_mpi::domain::{Comm, Decomposition, Handles, Motion, Space, Watch};
+use sph_mpi::domain::{Comm, Decomposition, Displacements, Handles, Space, Watch};
 use sph_mpi::math::Vec3;
 use sph_mpi::neighbours::NeighbourList;
 use sph_mpi::particles::{Column, ColumnInfo, Columns, Lattice, Life, ParticleId, Periods, Registry, Site};
@@ -198,7 +198,7 @@ fn tell<const D: usize>(story: Story<D>, periods: Periods, comm: &Comm) -> Strin
     for step in 1..=steps {
         let time = 0.05 * step as f64;
         cloud.move_to(time);
-        let motion = Motion {
+        let motion = Displacements {
             position: cloud.columns.numbers(cloud.handles.position.index),
             build_position: cloud.columns.numbers(cloud.handles.build_position.index),
             support: |i: usize| story(cloud.id(i), time).1,
@@ -285,7 +285,7 @@ fn a_pair_is_stopped_before_it_meets() {
                 for (site, x) in owned.iter().zip(position.chunks_exact_mut(2)) {
                     x[0] += if site.id == 0 { 0.5 * next } else { -0.5 * next };
                 }
-                let motion = Motion { position: &position, build_position: &build_position, support: |_| 1.0 };
+                let motion = Displacements { position: &position, build_position: &build_position, support: |_| 1.0 };
                 let mut used = [watch.skin_used(&motion, comm)];
                 comm.all_max(&mut used);
                 if used[0] > 1.0 {
@@ -319,7 +319,8 @@ fn only_relative_motion_counts() {
         let radii: Vec<f64> = (0..cloud.columns.len()).map(|i| cloud.columns.get(column, i)).collect();
         let mut used = |growth: f64, position: &[f64]| {
             let support = |i: usize| radii[i] / (1.0 + SKIN) * growth;
-            let mut used = [domain.watch.skin_used(&Motion { position, build_position: &rounded, support }, comm)];
+            let mut used =
+                [domain.watch.skin_used(&Displacements { position, build_position: &rounded, support }, comm)];
             comm.all_max(&mut used);
             used[0]
         };

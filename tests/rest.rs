@@ -2,11 +2,11 @@
 //! `scripts/validate rest` does them finer. Moduli are such that sound is 25 times as fast as free fall: with those of rock nothing
 //! would have the time to fall.
 
+use sph_mpi::comparison::Comparison;
 use sph_mpi::domain::comm::Comm;
 use sph_mpi::math::{Deviator, Vec3};
 use sph_mpi::random::uniform;
 use sph_mpi::scene::{Scene, Until};
-use sph_mpi::simulation::compare::Comparison;
 
 use crate::common::{ByHand, ranks};
 

@@ -77,7 +77,12 @@ impl<const D: usize> Watch<D> {
     }
 
     /// Velocities of all cells, other ranks' included. Collective.
-    fn exchange_velocities<S: Fn(usize) -> f64 + Sync>(&mut self, motion: &Displacements<'_, S>, velocity: &[f64], comm: &Comm) {
+    fn exchange_velocities<S: Fn(usize) -> f64 + Sync>(
+        &mut self,
+        motion: &Displacements<'_, S>,
+        velocity: &[f64],
+        comm: &Comm,
+    ) {
         let [sends, receives] = &self.peers;
         let new = || {
             let numbers = |list: &[(usize, usize)]| {
@@ -138,7 +143,8 @@ fn limit<const D: usize>(
     sides: &[f64],
     courant: f64,
 ) -> f64 {
-    let (speed, smallest) = approach(blocks.cells_of(block).iter().map(|&c| &velocities[c as usize]), blocks.layers_of(block));
+    let (speed, smallest) =
+        approach(blocks.cells_of(block).iter().map(|&c| &velocities[c as usize]), blocks.layers_of(block));
     let own = if smallest > f64::NEG_INFINITY { -courant * smallest } else { f64::INFINITY };
     let (apart, finer) = blocks.moved(block, summaries);
     let gap =

@@ -18,8 +18,11 @@ pub(super) const fn words(dimension: usize) -> usize {
 }
 
 impl<const D: usize> CellVelocities<D> {
-    pub(super) const NOTHING: Self =
-        Self { forward: [[f64::NEG_INFINITY; 2]; D], backward: [[f64::NEG_INFINITY; 2]; D], smallest: f64::NEG_INFINITY };
+    pub(super) const NOTHING: Self = Self {
+        forward: [[f64::NEG_INFINITY; 2]; D],
+        backward: [[f64::NEG_INFINITY; 2]; D],
+        smallest: f64::NEG_INFINITY,
+    };
 
     pub(super) fn merge(&mut self, other: &Self) {
         for k in 0..D {

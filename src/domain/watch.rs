@@ -25,9 +25,9 @@
 
 use rayon::prelude::*;
 
-use super::velocities::{Velocities, relative};
 use super::comm::{Comm, Exchange};
 use super::ghosts::Extent;
+use super::velocities::{Velocities, relative};
 use crate::particles::cells::{CellTable, MAX_LEVEL};
 use crate::particles::curve::{self, Block};
 use crate::particles::{Lattice, Place, Site};

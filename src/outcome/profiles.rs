@@ -158,7 +158,11 @@ pub struct PoresRow {
 
 impl Pores {
     /// Collective.
-    pub fn measure(comm: &Comm, particles: impl Iterator<Item = TargetParticle>, (spacing, extent): (f64, f64)) -> Self {
+    pub fn measure(
+        comm: &Comm,
+        particles: impl Iterator<Item = TargetParticle>,
+        (spacing, extent): (f64, f64),
+    ) -> Self {
         let bins = bins(extent, spacing);
         let mut sums = vec![ExactSum::new(); 2 * bins];
         let mut ends = vec![f64::INFINITY; 2 * bins];

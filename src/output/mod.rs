@@ -11,6 +11,7 @@ pub mod publish;
 pub mod snapshot;
 pub mod state_hash;
 pub mod summary;
+pub mod text;
 
 pub use agree::agree;
 pub use checkpoint::{Checkpoint, CheckpointMeta};

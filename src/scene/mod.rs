@@ -1,6 +1,7 @@
 //! Scenes: a TOML file is read into raw tables, completed from the material library and the defaults, and validated into a
 //! [`Scene`]. Reading is pure and needs one process; a scene can be sent as bytes (serde) with every number's bits.
 
+pub mod answer;
 pub mod ask;
 pub mod blocks;
 pub mod body;

@@ -5,13 +5,13 @@ use std::time::Instant;
 use super::due::Due;
 use super::probes;
 use super::report;
-use super::resources;
 use super::run::Run;
 use super::state::{Saved, Spent};
 use crate::error::{Error, Result};
 use crate::outcome::vapour::Vapour;
 use crate::outcome::{self, Evaluation, Particle, Question};
 use crate::output::{Cell, CheckpointMeta, Snapshot, Storage, checkpoint, snapshot};
+use crate::process::resources;
 use crate::scene::{Precision, Snapshots};
 use crate::step::phases::Phase;
 

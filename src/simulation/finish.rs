@@ -7,35 +7,15 @@ use super::ground;
 use super::report::{self, Report};
 use super::run::{Ended, Run, RunReport};
 use super::state::End;
+use super::summary;
 use super::warnings;
 use crate::error::{Error, Result};
-use crate::outcome::crater::CraterEvaluation;
 use crate::outcome::distributions::distributions;
 use crate::outcome::origin;
 use crate::output::figures::or_warn;
-use crate::output::publish::replace;
 use crate::output::summary::Figures;
 use crate::output::{Summary, agree, snapshot};
 use crate::scene::Snapshots;
-
-/// What is still to be written of an outcome.
-#[derive(Default)]
-pub(super) struct Products {
-    /// Names and contents of files; contents are rank 0's.
-    pub tables: Vec<(&'static str, Vec<u8>)>,
-    /// To be drawn.
-    crater: Option<CraterEvaluation>,
-    /// Whether the cut is to be drawn.
-    cut: bool,
-}
-
-impl Products {
-    /// All files that can be written; the first error. For one rank.
-    fn write_tables(&self, directory: &Path) -> Result<()> {
-        let write = |(name, bytes): &(&str, Vec<u8>)| replace(&directory.join(name), bytes);
-        self.tables.iter().map(write).fold(Ok(()), Result::and)
-    }
-}
 
 impl<const D: usize> Run<'_, D> {
     /// The outcome that counts, with its files, unless they are to wait as the run is over. Collective.
@@ -145,7 +125,7 @@ impl<const D: usize> Run<'_, D> {
             }
         }
         let said = (self.state.crater.as_ref(), warnings::of_scene(self.scene).len());
-        report::print(&summary, said, &self.options.directory, self.comm.is_root());
+        summary::print(&summary, said, &self.options.directory, self.comm.is_root());
         told.and(failed).and(shown).and(written).map_err(|error| match safe {
             true => Error { what: error.what + "; the last checkpoint and summary.json are written", ..error },
             false => error,
@@ -164,7 +144,7 @@ impl<const D: usize> Run<'_, D> {
     }
 
     fn summary(&self, errors: Figures, nbody: Option<Figures>) -> Summary {
-        report::summarise(&Report {
+        summary::summarise(&Report {
             scene: self.scene,
             stepper: &self.stepper,
             state: &self.state,

@@ -1,7 +1,6 @@
 //! What a rank will hold in memory, known before anything is allocated: sizes per particle are exact, the numbers of
 //! neighbours are those of even balls, and the numbers of ghosts those of an even cube.
 
-use super::resources;
 use super::setup::Plan;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
@@ -12,6 +11,7 @@ use crate::math::lanes::LANES;
 use crate::outcome;
 use crate::pair::Layout;
 use crate::particles::{Place, Site};
+use crate::process::resources;
 use crate::scene::Scene;
 
 /// Bytes of a particle while an outcome is found, where all material is loose: the particle, pieces at two thresholds of

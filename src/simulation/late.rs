@@ -1,13 +1,12 @@
 //! The late stage of a run: when it begins and what the switch did; and the end that gravity brings.
 
 use super::run::Run;
-use super::setup;
+use super::scales::free_fall_time;
 use super::state::LateStart;
 use crate::error::Result;
-use crate::gravity::G;
 use crate::outcome::reaccumulated::{Reaccumulated, Remnant};
 use crate::output::summary::Figures;
-use crate::scene::{Body, Scene, Until};
+use crate::scene::Until;
 use crate::step::{Failure, StepState};
 
 impl<const D: usize> Run<'_, D> {
@@ -74,21 +73,6 @@ impl<const D: usize> Run<'_, D> {
         }
         Ok(())
     }
-}
-
-fn target(scene: &Scene) -> &Body {
-    &scene.bodies[scene.impact.as_ref().map_or(0, |impact| impact.target)]
-}
-
-/// Of the target, s.
-pub fn free_fall_time(scene: &Scene) -> f64 {
-    setup::free_fall_time(target(scene).density)
-}
-
-/// G M^2 / R of the target, J.
-pub fn binding(scene: &Scene) -> f64 {
-    let target = target(scene);
-    G * target.whole_mass() * target.whole_mass() / target.shape.outer_radius()
 }
 
 /// The switch in figures; `scale`: the initial kinetic energy, J.

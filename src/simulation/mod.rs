@@ -1,30 +1,26 @@
 //! One run of a scene, from its particles to its outcome and its price.
 
 mod collapse;
-pub mod compare;
-pub mod directory;
 mod due;
-pub mod faults;
 mod files;
 mod finish;
 pub mod footprint;
 mod ground;
-pub mod late;
-pub mod lock;
-pub mod log;
-pub mod memory;
-pub mod modes;
+mod late;
 mod nbody;
+mod open;
 pub mod probes;
-pub mod report;
+mod report;
 mod require;
-pub mod resources;
 mod restart;
 pub mod run;
+pub mod scales;
 pub mod setup;
-pub mod signals;
 pub mod state;
+mod steps;
+mod summary;
 pub mod warnings;
 
 pub use require::require;
-pub use run::{Ended, Options, RunReport, run};
+pub use run::{Ended, Options, RunReport};
+pub use steps::run;

@@ -1,7 +1,7 @@
 //! Hands what an impact has left on to an N-body program.
 
-use super::late::free_fall_time;
 use super::run::Run;
+use super::scales::free_fall_time;
 use crate::outcome::nbody::{Choice, spheres};
 use crate::outcome::rebound::{archive, table};
 use crate::output::summary::Figures;

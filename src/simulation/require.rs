@@ -1,8 +1,8 @@
 //! What can be seen to be wrong with a scene before any particle exists, beyond what reading it shows: whatever is to run or to be
 //! checked passes here first, so that both say the same.
 
-use super::compare::Comparison;
-use super::modes;
+use crate::comparison::Comparison;
+use crate::comparison::modes;
 use crate::error::{Error, Result};
 use crate::scene::hydrostatic::Pressed;
 use crate::scene::{Body, Flow, Scene, Start};
@@ -13,7 +13,9 @@ pub fn require(scene: &Scene) -> Result<()> {
         let at =
             |key: &str, e: Error| Error { allowed: e.allowed, ..scene.error(&format!("body.{number}.{key}"), e.what) };
         if let Some(Flow::Mode { shape, .. }) = body.flow {
-            swings(scene, body).and_then(|()| modes::Shape::new(scene, body, shape)).map_err(|e| at("flow.mode", e))?;
+            swings(scene, body)
+                .and_then(|()| modes::ModeShape::new(scene, body, shape))
+                .map_err(|e| at("flow.mode", e))?;
         }
         if body.start == Start::Hydrostatic {
             let uniform = scene.gravity.uniform.unwrap_or_default();

@@ -1,8 +1,7 @@
 //! What becomes of a run that is resumed when its scene asks for another end than before: it goes on, or says that it has ended.
 
-use super::late::{binding, free_fall_time};
-use super::report;
 use super::run::{Ended, Run, RunReport};
+use super::scales::{binding, crossing, first_contact, free_fall_time};
 use crate::error::Result;
 use crate::outcome::settled::Settled;
 use crate::output::publish::cannot;
@@ -17,8 +16,8 @@ const PREVIOUS_SUMMARY: &str = "summary_previous.json";
 pub fn settling(scene: &Scene, kinetic: f64) -> Option<Settled> {
     let settles = scene.run.until == Until::Settled || scene.late_stage.is_some_and(|l| l.at == Until::Settled);
     scene.impact.as_ref().filter(|_| settles).map(|_| {
-        let (contact, crossing) = (report::first_contact(scene), report::crossing(scene));
-        let settled = Settled::new(contact, crossing, kinetic);
+        let (contact, through) = (first_contact(scene), crossing(scene));
+        let settled = Settled::new(contact, through, kinetic);
         if scene.gravity.own.is_some() { settled.bound_by(binding(scene), free_fall_time(scene)) } else { settled }
     })
 }

@@ -3,10 +3,11 @@
 
 use std::ops::Range;
 
-use super::modes;
+use super::scales::free_fall_time_of;
+use crate::comparison::modes;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
-use crate::gravity::{self, Attraction, G, OwnGravity};
+use crate::gravity::{self, Attraction, OwnGravity};
 use crate::kernel::{CubicSpline, Shape};
 use crate::material::{self, BodyConstants, MaterialEffect, ParticleView, Setup};
 use crate::math::{ExactSum, Vec3};
@@ -102,7 +103,7 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Result<Plan> {
         rounds: falls_round(scene).then(|| (gravity::declare_rounds(&mut registry), Vec3::from(scene.periods.length))),
         own: scene.gravity.own.map(|own| {
             let densest = constants.iter().map(|body| body.density).fold(0.0, f64::max);
-            OwnGravity::declare(&mut registry, own.accuracy, own.interval * free_fall_time(densest))
+            OwnGravity::declare(&mut registry, own.accuracy, own.interval * free_fall_time_of(densest))
         }),
     });
     let terms = terms(scene, &view);
@@ -145,11 +146,6 @@ fn falls_round(scene: &Scene) -> bool {
     (0..scene.dimension).any(|axis| scene.periods.closed(axis) && uniform[axis] != 0.0)
 }
 
-/// Time in which a ball of this density (kg/m^3) at rest, that nothing holds, falls into its centre, s.
-pub fn free_fall_time(density: f64) -> f64 {
-    (3.0 * std::f64::consts::PI / (32.0 * G * density)).sqrt()
-}
-
 impl Plan {
     /// New particles of this rank's share of every body, and how to step them.
     pub fn populate(self, scene: &Scene, comm: &Comm) -> Result<(Columns, StepSettings)> {
@@ -159,7 +155,7 @@ impl Plan {
         let damage = self.registry.find::<f64>(material::damage::DAMAGE);
         for (number, body) in scene.bodies.iter().enumerate() {
             let mode = match body.flow {
-                Some(Flow::Mode { shape, speed }) => Some((modes::Shape::new(scene, body, shape)?, speed)),
+                Some(Flow::Mode { shape, speed }) => Some((modes::ModeShape::new(scene, body, shape)?, speed)),
                 _ => None,
             };
             let pressed = match body.start {

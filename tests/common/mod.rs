@@ -295,7 +295,7 @@ pub fn assert_known_files(run: &Path) {
     let entries = fs::read_dir(run).unwrap_or_else(|e| panic!("{}: {e}", run.display())).flatten();
     let unknown: Vec<_> = entries
         .map(|entry| entry.file_name().to_string_lossy().into_owned())
-        .filter(|name| name != ".sph-mpi" && !sph_mpi::simulation::directory::is_of_a_run(name))
+        .filter(|name| name != ".sph-mpi" && !sph_mpi::process::directory::is_of_a_run(name))
         .collect();
     assert!(unknown.is_empty(), "{unknown:?} in {}", run.display());
 }

@@ -1,14 +1,14 @@
 //! Shapes of free vibration of the bodies of a scene, as velocities in space.
 
+use super::elastic::elastic;
 use crate::error::{Error, Result};
 use crate::exact::vibration::{self, Mode as Exact};
 use crate::motion::Motion;
 use crate::scene::{Body, Mode, Scene, Shape as BodyShape};
-use crate::simulation::compare::solution::elastic;
 
 /// A mode of one body.
 #[derive(Debug, Clone, Copy)]
-pub struct Shape {
+pub struct ModeShape {
     kind: Mode,
     mode: Exact,
     dimension: usize,
@@ -20,7 +20,7 @@ pub struct Shape {
     pub frequency: f64,
 }
 
-impl Shape {
+impl ModeShape {
     /// The lowest mode of this kind. A bar is held where its layer without motion ends.
     pub fn new(scene: &Scene, body: &Body, kind: Mode) -> Result<Self> {
         let solid = elastic(scene, body)?;

@@ -6,7 +6,6 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use super::bracket::Point;
 use super::fit;
-use super::study::points::understood;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::outcome::Outcome;
@@ -14,6 +13,7 @@ use crate::output::agree;
 use crate::output::publish::{cannot, replace_text};
 use crate::output::summary::Figures;
 use crate::scene::Scene;
+use crate::scene::answer::understood;
 use crate::scene::identity::{Difference, differences};
 use crate::warning::Warning;
 

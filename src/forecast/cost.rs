@@ -6,19 +6,20 @@ use toml::{Table, Value};
 
 use super::model::{self, Load, Step};
 use super::pace::{self, Pace};
-use super::text::{aligned, duration, number, size, words};
 use crate::domain::comm::Comm;
 use crate::error::Result;
 use crate::kernel::SUPPORT;
 use crate::material::BodyConstants;
 use crate::outcome::settled::Settled;
+use crate::output::text::{aligned, duration, number, size, words};
 use crate::pair::record::ViscousTerm;
 use crate::particles::columns::Entry;
+use crate::process::resources;
 use crate::scene::{Body, Precision, Scene, Snapshots, Until};
 use crate::simulation::footprint::Footprint;
-use crate::simulation::late::free_fall_time;
+use crate::simulation::scales::free_fall_time;
 use crate::simulation::setup::{self, Plan};
-use crate::simulation::{report, resources, warnings};
+use crate::simulation::{scales, warnings};
 use crate::step::time_step;
 use crate::warning::Warning;
 
@@ -329,7 +330,7 @@ fn late_time(scene: &Scene) -> Option<f64> {
 }
 
 fn earliest_settled(scene: &Scene) -> f64 {
-    Settled::new(report::first_contact(scene), report::crossing(scene), 0.0).earliest()
+    Settled::new(scales::first_contact(scene), scales::crossing(scene), 0.0).earliest()
 }
 
 /// The step of soft matter at rest, s.
@@ -392,7 +393,7 @@ fn output(scene: &Scene, plan: &Plan, particles: u64, until: (f64, f64)) -> (Str
 fn step<'a>(scene: &'a Scene, plan: &Plan, approach: f64) -> (f64, &'a str) {
     let steps = plan.constants.iter().enumerate().map(|(number, constants)| {
         let body = &scene.bodies[number];
-        let (viscosity, sound) = (plan.view.viscosity(number), report::sound_speed(scene, number));
+        let (viscosity, sound) = (plan.view.viscosity(number), scales::sound_speed(scene, number));
         let dt = time_step::cfl(scene.numerics.cfl, constants.smoothing_length, sound, viscosity, approach);
         (dt, body.name.as_str())
     });

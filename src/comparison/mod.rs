@@ -1,5 +1,7 @@
 //! The exact solution that a scene names: made at the start from the scene's own numbers, compared at the end.
 
+pub mod elastic;
+pub mod modes;
 pub mod profile;
 pub mod rest;
 pub mod signal;

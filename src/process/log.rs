@@ -8,7 +8,6 @@ use std::os::fd::AsRawFd;
 use std::os::unix::fs::OpenOptionsExt;
 use std::os::unix::process::parent_id;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicI32, Ordering};
 use std::sync::{LazyLock, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -22,8 +21,6 @@ use crate::output::publish::cannot;
 static LOG_FILE: Mutex<Option<File>> = Mutex::new(None);
 /// Where it lies, on every rank.
 static LOG_PATH: Mutex<Option<PathBuf>> = Mutex::new(None);
-/// Its descriptor, for who may not wait for a lock; -1 where it is not open.
-static DESCRIPTOR: AtomicI32 = AtomicI32::new(-1);
 static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
 
 /// Writes a line to the terminal, above the bar, and to the log file.
@@ -100,11 +97,6 @@ fn note_panics(rank: usize) {
     }));
 }
 
-/// The descriptor of the open log; -1 where none is.
-pub fn descriptor() -> i32 {
-    DESCRIPTOR.load(Ordering::Relaxed)
-}
-
 /// Starts logging on this rank: rank 0 speaks, the others only warn; `quiet` leaves errors.
 pub fn start(rank: usize, quiet: bool) {
     memory::name_rank(rank);
@@ -136,7 +128,7 @@ pub fn to_file(path: &Path, resumed: bool, speaks: bool) -> Result<()> {
     let opened = File::options().create(true).append(true).open(path);
     let emptied = opened.and_then(|file| if resumed { Ok(file) } else { file.set_len(0).map(|()| file) });
     let mut open = LOG_FILE.lock().unwrap_or_else(PoisonError::into_inner);
-    DESCRIPTOR.store(emptied.as_ref().map_or(-1, AsRawFd::as_raw_fd), Ordering::Relaxed);
+    memory::tell_in(emptied.as_ref().map_or(-1, AsRawFd::as_raw_fd));
     match emptied {
         Ok(file) => *open = Some(file),
         Err(error) if resumed => {

@@ -7,10 +7,10 @@ use std::time::SystemTime;
 use toml::Table;
 
 use super::analysis::{Analysis, Cost};
-use super::points::{identity, understood};
 use crate::error::{Error, Result};
 use crate::output::summary::Accuracy;
 use crate::scene::Scene;
+use crate::scene::answer::{identity, understood};
 use crate::scene::identity::differences;
 
 const KEPT: &str = "inputs/studies";

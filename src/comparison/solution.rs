@@ -1,19 +1,19 @@
 //! From a scene to the solution it names.
 
+use super::elastic::elastic;
+use super::modes::ModeShape;
+use super::rest::Rest;
 use crate::error::{Error, Result};
 use crate::exact::compaction::Sponge;
 use crate::exact::piston::{Piston, Solid};
 use crate::exact::riemann::{Gas, Riemann};
 use crate::exact::shock::{Impact, Medium};
-use crate::exact::waves::Elastic;
 use crate::exact::{State, noh::Noh, sedov::Sedov};
 use crate::material::MaterialTable;
 use crate::material::eos::EosTable;
 use crate::motion::Motion;
 use crate::scene::compare::{Compare, Solution};
 use crate::scene::{Body, Flow, Layer, Scene, Shape};
-use crate::simulation::compare::rest::Rest;
-use crate::simulation::modes::Shape as ModeShape;
 
 /// A solution ready to be compared with.
 pub enum Reference {
@@ -248,14 +248,6 @@ fn impact(scene: &Scene, within: [f64; 2], released: bool) -> Result<Profile> {
         })
     };
     Ok(Profile { place: ALONG_X, within, core: None, at, origin: face })
-}
-
-/// Elastic constants of a body's material; a fluid has no shear modulus.
-pub fn elastic(scene: &Scene, body: &Body) -> Result<Elastic> {
-    let material = material(scene, body);
-    let bulk = material.eos.law().bulk_modulus().ok_or_else(|| needs("a solid"))?;
-    let shear = material.strength.as_ref().map_or(0.0, |table| table.shear_modulus.0);
-    Elastic::new(bulk, shear, body.density)
 }
 
 fn standing_wave(scene: &Scene) -> Result<Swing> {

@@ -3,13 +3,14 @@
 use std::path::{Component, Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
-use toml::{Table, Value};
+use toml::Table;
 
 use super::combine::combined;
 use super::measure::Against;
 use super::settings::{Change, Settings};
 use crate::error::{Error, Result};
 use crate::scene::Scene;
+use crate::scene::answer::identity;
 use crate::scene::source::{Document, Source};
 use crate::simulation::require;
 
@@ -105,30 +106,6 @@ fn require_few(document: &Document, settings: &Settings) -> Result<()> {
     }
     let shown = if runs < 1e15 { format!("{runs}") } else { format!("{runs:.1e}") };
     Err(document.error("study", format!("{shown} runs")).allowed(format!("{MOST_POINTS} and fewer")))
-}
-
-/// The scene as it is understood, without what changes no result: identifies what a run answers.
-pub fn identity(scene: &Scene) -> String {
-    blake3::hash(understood(&scene.to_toml()).to_string().as_bytes()).to_hex().to_string()
-}
-
-/// What [`identity`] is made of; `scene` as it is understood.
-pub fn understood(scene: &str) -> Table {
-    let mut table: Table = scene.parse().unwrap_or_default();
-    table.remove("title");
-    if let Some(output) = table.get_mut("output").and_then(Value::as_table_mut) {
-        // Vibrations are sampled, and impacts found settled, where the history has a row.
-        output.retain(|key, _| key == "history_every");
-    }
-    if let Some(run) = table.get_mut("run").and_then(Value::as_table_mut) {
-        run.remove("checkpoint_every");
-        // A run that these end has no result.
-        if run.get("until").is_some_and(|until| until.as_str() != Some("settled")) {
-            run.remove("steps");
-            run.remove("max_time");
-        }
-    }
-    table
 }
 
 impl Study {
@@ -362,18 +339,5 @@ mod tests {
             let error = study(text).err().unwrap_or_else(|| panic!("{text}"));
             assert!(error.place.starts_with(place) && error.what.contains(says), "{error}\n{text}");
         }
-    }
-
-    #[test]
-    fn identity_knows_what_changes_an_answer() {
-        let scene = |overrides: &[&str]| {
-            let overrides: Vec<String> = overrides.iter().map(|text| text.to_string()).collect();
-            Scene::parse("a.toml", SCENE, &overrides).map(|scene| identity(&scene)).unwrap_or_else(|e| panic!("{e}"))
-        };
-        let same = ["title=x", "output.picture=false", "output.snapshots=3", "run.checkpoint_every=5"];
-        let disc = "dimension=2";
-        assert!(same.iter().all(|change| scene(&[disc, change]) == scene(&[disc])));
-        let other = ["run.until=2", "ball.radius=2", "numerics.eta=1.5", "output.history_every=3"];
-        assert!(other.iter().all(|change| scene(&[disc, change]) != scene(&[disc])));
     }
 }

@@ -4,13 +4,14 @@ use super::analysis::Analysis;
 use super::points::{Point, Study};
 use super::record::{self, Record};
 use super::report;
-use crate::campaigns::search;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::output::{Summary, agree};
+use crate::process::lock::Work;
+use crate::process::{directory, log};
 use crate::scene::{Until, keys};
-use crate::simulation::lock::Work;
-use crate::simulation::{self, Ended, Options, log};
+use crate::simulation::{self, Ended, Options};
+use crate::threshold::search;
 
 /// What to do of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -106,7 +107,7 @@ impl Sweep<'_> {
         tracing::info!("{what}, spacing {:.4e} m", point.spacing);
         let directory = self.options.directory.join(point.folder());
         let work = if point.scene.threshold.is_some() { Work::Search } else { Work::Run };
-        let _lock = simulation::directory::prepare(&directory, self.options.resume, work, comm)?;
+        let _lock = directory::prepare(&directory, self.options.resume, work, comm)?;
         let run = match make(point, &Options { directory, ..self.options.clone() }, comm) {
             Ok(None) => return Ok(Ended::Interrupted),
             Ok(Some(summary)) => to_its_end(point, summary),

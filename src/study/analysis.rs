@@ -7,10 +7,11 @@ use super::limit::{Limit, limit};
 use super::measure::{Against, Measure, Sample};
 use super::order::{Order, order};
 use super::pareto::{Price, Step, beyond, first_within, front, price};
-use super::points::{Study, understood};
+use super::points::Study;
 use super::record::Record;
 use super::settings::Change;
 use super::thresholds;
+use crate::scene::answer::understood;
 use crate::warning::{self, Warning};
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

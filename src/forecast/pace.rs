@@ -10,9 +10,10 @@ use crate::error::Result;
 use crate::material::BodyConstants;
 use crate::math::Vec3;
 use crate::particles::{Columns, ParticleId, Periods};
+use crate::process::resources;
 use crate::random::uniform;
 use crate::scene::Scene;
-use crate::simulation::{report, resources, setup};
+use crate::simulation::{scales, setup};
 use crate::step::StepSettings;
 use crate::step::phases::{Phase, Phases};
 use crate::step::{Failure, Stepper};
@@ -198,7 +199,7 @@ fn block(scene: &Scene, plan: &setup::Plan, edge: u64) -> Columns {
     let (body, constants) = (&scene.bodies[number], &plan.constants[number]);
     let spacing = constants.smoothing_length / scene.numerics.eta;
     // Cold gas has no speed of sound, and steps as any that moves.
-    let speed = MOTION * Some(report::sound_speed(scene, number)).filter(|sound| *sound > 0.0).unwrap_or(1.0);
+    let speed = MOTION * Some(scales::sound_speed(scene, number)).filter(|sound| *sound > 0.0).unwrap_or(1.0);
     let last = edge.pow(scene.dimension as u32);
     let core = plan.view.core;
     let mut columns = Columns::new(plan.registry.clone());

@@ -3,15 +3,15 @@
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::io::Write;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-
-use super::log;
+use std::sync::atomic::{AtomicBool, AtomicI32, AtomicUsize, Ordering};
 
 /// Exit code of a run that failed on its way.
 const FAILED: libc::c_int = 1;
 
 /// Number of this process among the ranks.
 static RANK: AtomicUsize = AtomicUsize::new(0);
+/// Descriptor of the open log, beside the terminal; -1 where none is.
+static LOG: AtomicI32 = AtomicI32::new(-1);
 /// Whether a thread has begun to tell.
 static TOLD: AtomicBool = AtomicBool::new(false);
 
@@ -49,6 +49,11 @@ fn given(pointer: *mut u8, bytes: usize) -> *mut u8 {
     pointer
 }
 
+/// The log in which the end is told, too: its descriptor, or -1 where none is open.
+pub fn tell_in(log: i32) {
+    LOG.store(log, Ordering::Relaxed);
+}
+
 /// As others should call this process.
 pub fn name_rank(rank: usize) {
     RANK.store(rank, Ordering::Relaxed);
@@ -74,7 +79,7 @@ fn end(bytes: usize) -> ! {
     );
     let left = rest.len();
     let length = line.len() - left;
-    for file in [libc::STDERR_FILENO, log::descriptor()] {
+    for file in [libc::STDERR_FILENO, LOG.load(Ordering::Relaxed)] {
         // SAFETY: writes from the line, to a file that is open or none.
         unsafe { libc::write(file, line.as_ptr().cast(), length) };
     }

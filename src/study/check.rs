@@ -3,10 +3,10 @@
 use std::fmt::Write;
 
 use super::points::Study;
-use crate::campaigns::cost::{self, Price};
-use crate::campaigns::text::{aligned, duration, number, words};
 use crate::domain::comm::Comm;
 use crate::error::Result;
+use crate::forecast::cost::{self, Price};
+use crate::output::text::{aligned, duration, number, words};
 use crate::simulation::warnings;
 use crate::warning::{self, Warning};
 

@@ -17,8 +17,9 @@ use crate::output::figures::or_warn;
 use crate::output::publish::replace_text;
 use crate::output::summary::{self, Figures};
 use crate::output::{Summary, agree};
+use crate::process::directory;
+use crate::process::lock::Work;
 use crate::scene::{Body, Scene, Shape};
-use crate::simulation::lock::Work;
 use crate::simulation::{self, Ended, Options};
 use crate::warning::{self, Warning};
 
@@ -191,7 +192,7 @@ impl<'a> Search<'a> {
     ) -> Result<Option<Impact>> {
         let scene = self.scene.reread(&self.overrides(length, repeat))?;
         let directory = options.directory.join(format!("impact_{number:02}"));
-        let _lock = simulation::directory::prepare(&directory, options.resume, Work::Run, comm)?;
+        let _lock = directory::prepare(&directory, options.resume, Work::Run, comm)?;
         let report = simulation::run(&scene, &Options { directory, ..options.clone() }, comm)?;
         let (Ended::Finished, Some(outcome)) = (report.ended, report.outcome) else { return Ok(None) };
         let later = report.later.unwrap_or_else(|| outcome.clone());

@@ -74,7 +74,7 @@ fn name(axes: &[Axis], axis: usize, k: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::campaigns::study::measure::{Against, Measure};
+    use crate::study::measure::{Against, Measure};
 
     fn settings(combine: Combine) -> Settings {
         let axis = |key: &str, values: &[Value]| Axis {

@@ -1,0 +1,10 @@
+//! The program as a process among others: its log and signals, the machine's memory and cores, the directory of a run and who
+//! holds it, faults for tests.
+
+pub mod directory;
+pub mod faults;
+pub mod lock;
+pub mod log;
+pub mod memory;
+pub mod resources;
+pub mod signals;

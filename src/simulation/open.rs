@@ -1,0 +1,126 @@
+//! The beginning of a run: particles are made, or come from the newest whole checkpoint.
+
+use std::time::Instant;
+
+use super::collapse::Collapse;
+use super::footprint::Footprint;
+use super::run::{Options, Products, Run};
+use super::state::{Conservation, Restored, RunState, Spent};
+use super::{probes, report, restart, setup, warnings};
+use crate::comparison::Comparison;
+use crate::domain::comm::Comm;
+use crate::error::{Error, Result};
+use crate::material::porosity::DISTENTION;
+use crate::output::{History, agree, checkpoint};
+use crate::particles::ParticleId;
+use crate::process::faults::Fault;
+use crate::process::{log, resources};
+use crate::scene::Scene;
+use crate::step::time_step::Limit;
+use crate::step::{Counters, Stepper};
+use crate::warning;
+
+impl<'a, const D: usize> Run<'a, D> {
+    /// Makes the particles or reads them from the newest whole checkpoint.
+    pub(super) fn open(scene: &'a Scene, options: &'a Options, comm: &'a Comm) -> Result<Self> {
+        let started = Instant::now();
+        let (cpu_at_start, wait_at_start) = (resources::cpu_seconds(), comm.wait_seconds());
+        let wait_cpu_at_start = comm.wait_cpu_seconds();
+        agree(comm, log::to_file(&options.directory.join("log.txt"), options.resume, comm.is_root()))?;
+        if let Some(choice) = &options.accuracy {
+            tracing::info!("{choice}");
+        }
+        warning::say(&warnings::of_scene(scene), comm.is_root());
+        let comparison = Comparison::new(scene)?;
+        let fit =
+            |plan: &setup::Plan| Footprint::new(scene, plan, comm.size()).require(comm).map_err(|e| e.at(scene.path()));
+        // What does not fit by far is not worth being counted.
+        if let Some(expected) = setup::expected_particles(scene) {
+            fit(&setup::plan(scene, expected)?)?;
+        }
+        let plan = setup::plan(scene, setup::count_particles(scene, comm)?)?;
+        fit(&plan)?;
+        let fault = Fault::of_rank(comm.rank());
+        let saved = if options.resume {
+            checkpoint::read_newest(&options.directory, &plan.registry, comm, &|before| scene.differs_from(before))?
+        } else {
+            None
+        };
+        let (mut stepper, state) = match saved {
+            Some(saved) => {
+                if let Some(refused) = saved.refused.as_ref().filter(|_| comm.is_root()) {
+                    tracing::warn!("the newest checkpoint was not taken: {refused}");
+                }
+                tracing::info!("going on from {}", saved.path.display());
+                let mut settings = plan.settings(scene);
+                settings.effects.extend(fault.effect(&settings.view.core));
+                let restored: Restored = serde_json::from_str(&saved.meta.json)
+                    .map_err(|e| Error::new(format!("its state cannot be read: {e}")))?;
+                if let Some(late) = scene.late().filter(|_| restored.run.late.is_some()) {
+                    settings.effects.iter_mut().for_each(|effect| effect.soften(&late));
+                }
+                let mut stepper = Stepper::new(comm, saved.columns, settings);
+                stepper.resume(restored.step);
+                stepper.counters = Counters { pairs: 0, updates: 0, migrated: 0, ..restored.counters };
+                (stepper, Some(restored.run))
+            }
+            None => {
+                let (columns, mut settings) = plan.populate(scene, comm)?;
+                settings.effects.extend(fault.effect(&settings.view.core));
+                (Stepper::new(comm, columns, settings), None)
+            }
+        };
+        let state = match state {
+            Some(state) => state,
+            None => Self::first_state(scene, &mut stepper)?,
+        };
+        let totals = stepper.totals();
+        let mut columns = report::history_columns(&stepper.settings.effects, stepper.settings.motions.is_some(), scene);
+        columns.extend(probes::columns(scene, stepper.columns.registry.find::<f64>(DISTENTION).is_some()));
+        let labels: Vec<(&str, &str)> = columns.iter().map(|(name, unit)| (name.as_str(), unit.as_str())).collect();
+        let resumed = Some(stepper.state.step).filter(|&step| step > 0);
+        let history = History::open(&options.directory.join("history.csv"), &labels, resumed, comm)?;
+        let saved = Instant::now();
+        Ok(Self {
+            scene,
+            options,
+            comm,
+            stepper,
+            state,
+            history,
+            totals,
+            started,
+            cpu_at_start,
+            wait_at_start,
+            wait_cpu_at_start,
+            saved,
+            fault,
+            comparison,
+            packing: Vec::new(),
+            failed: None,
+            products: Products::default(),
+            last: None,
+            collapse: Collapse::default(),
+            limit: (Limit { id: ParticleId(0), ..Limit::NONE }, ""),
+        })
+    }
+
+    fn first_state(scene: &Scene, stepper: &mut Stepper<'a, D>) -> Result<RunState> {
+        stepper.start().map_err(|failure| failure.error(|body| &scene.bodies[body].name))?;
+        let first = stepper.totals();
+        Ok(RunState {
+            conservation: Conservation::new(&first),
+            snapshots: 0,
+            settled: restart::settling(scene, first.kinetic_in_centre_of_mass()),
+            snapshot_time: None,
+            reaccumulated: None,
+            late: None,
+            vibration: Vec::new(),
+            outcome: None,
+            crater: None,
+            outcome_time: 0.0,
+            end: None,
+            spent: Spent::default(),
+        })
+    }
+}

@@ -1,0 +1,217 @@
+//! The loop over steps: when to write, signals, and the question whether the outcome has settled.
+
+use super::due;
+use super::run::{Ended, Options, Run, RunReport};
+use super::scales::free_fall_time;
+use crate::domain::comm::Comm;
+use crate::error::{Error, Result};
+use crate::output::agree;
+use crate::output::publish::replace_text;
+use crate::process::faults::Trigger;
+use crate::process::log::Progress;
+use crate::process::signals;
+use crate::scene::{Scene, Until};
+use crate::step::Failure;
+
+/// What ranks may request after a step; the largest request counts.
+const CHECKPOINT: u32 = 1;
+const STOP: u32 = 2;
+/// Something failed on one rank alone; all leave together.
+const FAILED: u32 = 3;
+
+/// Runs a scene. Collective.
+pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<RunReport> {
+    comm.set_file_hints(scene.output.mpi_io_hints.iter().map(|(key, value)| (key.as_str(), value.as_str())));
+    match scene.dimension {
+        2 => Run::<2>::open(scene, options, comm)?.run_to_end(),
+        _ => Run::<3>::open(scene, options, comm)?.run_to_end(),
+    }
+}
+
+impl<'a, const D: usize> Run<'a, D> {
+    fn run_to_end(mut self) -> Result<RunReport> {
+        if let Some(found) = self.take_up()? {
+            return Ok(found);
+        }
+        let write = || replace_text(&self.options.directory.join("scene.toml"), &self.scene.to_toml());
+        agree(self.comm, if self.comm.is_root() { write() } else { Ok(()) })?;
+        let mut progress = Progress::new(&self.options.directory.display().to_string(), self.comm.is_root());
+        if self.stepper.state.step == 0 {
+            self.sample_vibration();
+            self.write_history();
+        }
+        self.write_snapshot_if_due()?;
+        while !self.is_over() {
+            let (dt, then) = self.next_step();
+            let stepped = match self.stepper.step(dt, then, self.request()) {
+                Ok(stepped) => stepped,
+                Err(failure) => return Err(self.go_back(&failure)),
+            };
+            let steps = self.stepper.state.step;
+            self.warn_of_collapse();
+            if steps % self.scene.output.history_every == 0 {
+                self.note_totals()?;
+                progress.show(self.done(), || self.describe());
+            }
+            if self.is_late_now()
+                && let Err(failure) = self.go_soft()
+            {
+                return Err(self.go_back(&failure));
+            }
+            self.write_snapshot_if_due()?;
+            if stepped.signal >= CHECKPOINT {
+                let saved = self.write_checkpoint();
+                // What failed before says more than that its consequences do.
+                agree(self.comm, self.failed.take().map_or(Ok(()), Err)).and(saved)?;
+            }
+            if stepped.signal >= STOP {
+                self.write_products()?;
+                if self.comm.is_root() {
+                    tracing::warn!("stopped at step {steps}, t = {:e} s; --resume goes on", self.stepper.state.time);
+                }
+                return Ok(self.report(Ended::Interrupted));
+            }
+        }
+        drop(progress);
+        self.finish()
+    }
+
+    /// Seconds of the next step, and the time after it: the last one ends on the dot, and so does one before a snapshot.
+    fn next_step(&self) -> (f64, f64) {
+        let (most, time) = (self.stepper.state.next, self.stepper.state.time);
+        let stop = self.late_time().into_iter().chain(self.end_time()).fold(f64::INFINITY, f64::min);
+        let Some(due) = self.due() else {
+            return if stop - time <= most { (stop - time, stop) } else { (most, time + most) };
+        };
+        let next = due.next(self.state.snapshot_time, time);
+        due::lead(most, time, if next < stop && !due.same(next, stop) { next } else { stop })
+    }
+
+    /// When the run is known to end, s.
+    fn end_time(&self) -> Option<f64> {
+        let limit = self.scene.run.max_time.unwrap_or(f64::INFINITY);
+        let end = match self.scene.run.until {
+            Until::Time(end) => end.min(limit),
+            Until::Settled if self.scene.reaccumulates() => {
+                if self.state.has_outcome() {
+                    self.state.outcome_time.min(limit)
+                } else {
+                    limit
+                }
+            }
+            // Settled: the outcome is evaluated once more at twice that time.
+            Until::Settled if self.state.has_outcome() => (2.0 * self.state.outcome_time).min(limit),
+            Until::Settled => limit,
+        };
+        end.is_finite().then_some(end)
+    }
+
+    pub(super) fn is_over(&self) -> bool {
+        let steps = self.scene.run.steps.is_some_and(|most| self.stepper.state.step >= most);
+        steps || self.end_time().is_some_and(|end| self.stepper.state.time >= end)
+    }
+
+    /// What this rank requests after the coming step; rank 0 keeps the clock of checkpoints.
+    fn request(&self) -> u32 {
+        if self.failed.is_some() {
+            return FAILED;
+        }
+        let coming = self.stepper.state.step + 1;
+        let trigger = self.fault.trigger(coming);
+        if trigger == Trigger::Stop || signals::asked() != 0 || self.last == Some(coming) {
+            return STOP;
+        }
+        let due = self.comm.is_root() && self.saved.elapsed().as_secs_f64() > self.scene.run.checkpoint_every;
+        if due || trigger == Trigger::Checkpoint { CHECKPOINT } else { 0 }
+    }
+
+    /// Saves the state that a step failed from. A step writes over that state, and a copy of it would cost every step memory;
+    /// but the same bits come again, so the run goes back to the newest checkpoint (or to its start), repeats the steps up to
+    /// the one that failed, with all that they write, and stops there with a checkpoint. Returns what is to be told.
+    /// Collective.
+    fn go_back(self, failure: &Failure) -> Error {
+        let (scene, comm) = (self.scene, self.comm);
+        let options = Options { resume: true, ..self.options.clone() };
+        let error = failure.error(|body| &scene.bodies[body].name);
+        let before = failure.step - 1;
+        if comm.is_root() {
+            tracing::warn!("{error}; going back, to save the state after step {before}");
+        }
+        drop(self);
+        let stop = || -> Result<u64> {
+            let mut run = Run::<D>::open(scene, &options, comm)?;
+            let found = run.stepper.state.step;
+            run.last = Some(before);
+            Ok(if found < before { run.run_to_end()?.summary.steps } else { found })
+        };
+        let told = match stop() {
+            Ok(steps) => format!("; --resume goes on from the checkpoint after step {steps}"),
+            Err(second) => format!("; the state before that step could not be saved: {second}"),
+        };
+        Error { what: error.what + &told, ..error }
+    }
+
+    /// Names the particle that makes the time step collapse.
+    fn warn_of_collapse(&mut self) {
+        if let Some(ratio) = self.collapse.note(self.stepper.state.next) {
+            self.limit = self.stepper.tightest_limit();
+            if self.comm.is_root() {
+                tracing::warn!("the time step has collapsed to {ratio:.1e} of the largest: {}", self.describe());
+            }
+        }
+    }
+
+    pub(super) fn note_totals(&mut self) -> Result<()> {
+        self.totals = self.stepper.totals();
+        self.state.conservation.note(&self.totals, self.stepper.state.time);
+        self.sample_vibration();
+        self.write_history();
+        let time = self.stepper.state.time;
+        let Some(settled) = self.state.settled.as_mut() else { return Ok(()) };
+        let before = settled.since().is_some();
+        if !settled.update(time, self.totals.internal) {
+            return Ok(());
+        }
+        if !before {
+            tracing::info!("settled at t = {time:.4e} s, step {}", self.stepper.state.step);
+        }
+        if self.scene.reaccumulates() {
+            return self.watch_remnant();
+        }
+        if self.scene.run.until == Until::Settled && !self.state.has_outcome() {
+            self.take_outcome()?;
+        }
+        Ok(())
+    }
+
+    fn sample_vibration(&mut self) {
+        let Some(comparison) = &self.comparison else { return };
+        self.state.vibration.extend(comparison.sample(&self.stepper, self.stepper.state.time, self.comm));
+    }
+
+    /// Share of the run that is done, for the bar.
+    fn done(&self) -> f64 {
+        let end = match (&self.state.settled, self.end_time()) {
+            (_, Some(end)) => end,
+            (Some(settled), None) if self.scene.reaccumulates() => settled.earliest() + free_fall_time(self.scene),
+            (Some(settled), None) => 2.0 * settled.earliest(),
+            (None, None) => f64::INFINITY,
+        };
+        self.stepper.state.time / end
+    }
+
+    pub(super) fn describe(&self) -> String {
+        let (state, steps) = (&self.state, &self.stepper.state);
+        let (limit, reason) = &self.limit;
+        let [x, y, z] = limit.position;
+        format!(
+            "t {:.3e} s, step {}, energy drift {:.1e}, dt {:.2e} s by {reason} of {} {} at ({x:.3e}, {y:.3e}, {z:.3e}) m",
+            steps.time,
+            steps.step,
+            state.conservation.energy_drift(),
+            steps.next,
+            self.scene.bodies.get(limit.id.body()).map_or("", |body| &body.name),
+            limit.id.site(),
+        )
+    }
+}

@@ -1,0 +1,7 @@
+//! The search of a disruption threshold: impacts of one scene with projectiles of different sizes, until the size is known that leaves
+//! half of the target.
+
+pub mod bracket;
+pub mod fit;
+pub mod record;
+pub mod search;
