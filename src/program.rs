@@ -14,7 +14,7 @@ use crate::error::{Error, Result, plain};
 use crate::math::lanes;
 use crate::output::summary::Accuracy;
 use crate::output::{agree, collective};
-use crate::scene::source::Source;
+use crate::scene::source::SourceText;
 use crate::scene::{self, Scene, input};
 use crate::simulation::faults::Fault;
 use crate::simulation::lock::{Lock, Work};
@@ -118,7 +118,7 @@ fn read(args: &Args, comm: &Comm) -> Result<Task> {
     let read = || -> Result<Texts> {
         let refused =
             |what: &str, allowed: &str| Err(Error::new(what).at(args.scene.display().to_string()).allowed(allowed));
-        let source = Source::open(&args.scene, &args.overrides)?;
+        let source = SourceText::open(&args.scene, &args.overrides)?;
         if points::is_study(&source) {
             if args.accuracy.is_some() {
                 return refused("--accuracy of a study", "the scene that was studied");

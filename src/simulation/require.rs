@@ -4,8 +4,7 @@
 use super::compare::Comparison;
 use super::modes;
 use crate::error::{Error, Result};
-use crate::scene::hydrostatic::Pressed;
-use crate::scene::{Body, Flow, Scene, Start};
+use crate::scene::{Body, Flow, InitialState, Pressed, Scene};
 
 /// Refuses a scene that no run can begin with.
 pub fn require(scene: &Scene) -> Result<()> {
@@ -15,7 +14,7 @@ pub fn require(scene: &Scene) -> Result<()> {
         if let Some(Flow::Mode { shape, .. }) = body.flow {
             swings(scene, body).and_then(|()| modes::Shape::new(scene, body, shape)).map_err(|e| at("flow.mode", e))?;
         }
-        if body.start == Start::Hydrostatic {
+        if body.start == InitialState::Hydrostatic {
             let uniform = scene.gravity.uniform.unwrap_or_default();
             let law = scene.materials[body.material].eos.law();
             Pressed::new(body, &law, uniform).map_err(|e| at("start", e))?;
