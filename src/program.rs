@@ -16,7 +16,7 @@ use crate::output::{agree, collective};
 use crate::process::faults::Fault;
 use crate::process::lock::{Lock, Work};
 use crate::process::{directory, log, resources, signals};
-use crate::scene::source::Source;
+use crate::scene::source::SourceText;
 use crate::scene::{self, Scene, input};
 use crate::simulation::{self, Ended, Options};
 use crate::step::workers;
@@ -120,7 +120,7 @@ fn read(args: &Args, comm: &Comm) -> Result<Task> {
     let read = || -> Result<Texts> {
         let refused =
             |what: &str, allowed: &str| Err(Error::new(what).at(args.scene.display().to_string()).allowed(allowed));
-        let source = Source::open(&args.scene, &args.overrides)?;
+        let source = SourceText::open(&args.scene, &args.overrides)?;
         if points::is_study(&source) {
             if args.accuracy.is_some() {
                 return refused("--accuracy of a study", "the scene that was studied");

@@ -4,12 +4,12 @@ use super::elastic::elastic;
 use crate::error::{Error, Result};
 use crate::exact::vibration::{self, Mode as Exact};
 use crate::motion::Motion;
-use crate::scene::{Body, Mode, Scene, Shape as BodyShape};
+use crate::scene::{Body, BodyShape, Scene, VibrationMode};
 
 /// A mode of one body.
 #[derive(Debug, Clone, Copy)]
 pub struct ModeShape {
-    kind: Mode,
+    kind: VibrationMode,
     mode: Exact,
     dimension: usize,
     /// Where a bar is held, relative to the centre, m.
@@ -22,20 +22,24 @@ pub struct ModeShape {
 
 impl ModeShape {
     /// The lowest mode of this kind. A bar is held where its layer without motion ends.
-    pub fn new(scene: &Scene, body: &Body, kind: Mode) -> Result<Self> {
+    pub fn new(scene: &Scene, body: &Body, kind: VibrationMode) -> Result<Self> {
         let solid = elastic(scene, body)?;
         let mut clamp = 0.0;
         let mode = match (kind, body.shape, scene.dimension) {
-            (Mode::Radial, BodyShape::Sphere { radius }, 3) => vibration::sphere_radial(&solid, radius, 1)?,
-            (Mode::Radial, BodyShape::Sphere { radius }, _) => vibration::disc_radial(&solid, radius, 1)?,
-            (Mode::Torsional, BodyShape::Sphere { radius }, 3) => vibration::sphere_torsional(&solid, radius, 1)?,
-            (Mode::Torsional, BodyShape::Sphere { radius }, _) => vibration::disc_torsional(&solid, radius, 1)?,
-            (Mode::Bending, BodyShape::Box { size }, 2) => {
+            (VibrationMode::Radial, BodyShape::Sphere { radius }, 3) => vibration::sphere_radial(&solid, radius, 1)?,
+            (VibrationMode::Radial, BodyShape::Sphere { radius }, _) => vibration::disc_radial(&solid, radius, 1)?,
+            (VibrationMode::Torsional, BodyShape::Sphere { radius }, 3) => {
+                vibration::sphere_torsional(&solid, radius, 1)?
+            }
+            (VibrationMode::Torsional, BodyShape::Sphere { radius }, _) => {
+                vibration::disc_torsional(&solid, radius, 1)?
+            }
+            (VibrationMode::Bending, BodyShape::Box { size }, 2) => {
                 let fixed = scene
                     .layers
                     .iter()
                     .filter(|layer| layer.motion == Motion::Prescribed([0.0; 3]) && layer.outer.is_none());
-                let held = fixed.map(|layer| layer.part.high[0] - body.centre[0]);
+                let held = fixed.map(|layer| layer.region.high[0] - body.centre[0]);
                 clamp = held.fold(-0.5 * size[0], f64::max);
                 vibration::clamped_plate(&solid, 0.5 * size[0] - clamp, size[1], 1)?
             }
@@ -62,14 +66,14 @@ impl ModeShape {
         }
         let at = self.scale * self.mode.at(length) / length;
         match (self.kind, self.dimension) {
-            (Mode::Radial, _) => r.map(|x| at * x),
-            (Mode::Torsional, 2) => [-at * r[1], at * r[0], 0.0],
+            (VibrationMode::Radial, _) => r.map(|x| at * x),
+            (VibrationMode::Torsional, 2) => [-at * r[1], at * r[0], 0.0],
             // Degree 2: about z, proportional to sin(2 theta), which is 1 at 45 degrees.
-            (Mode::Torsional, _) => {
+            (VibrationMode::Torsional, _) => {
                 let turn = 2.0 * at * r[2] / length;
                 [-turn * r[1], turn * r[0], 0.0]
             }
-            (Mode::Bending, _) => {
+            (VibrationMode::Bending, _) => {
                 let s = r[0] - self.clamp;
                 [0.0, if s > 0.0 { self.scale * self.mode.at(s) } else { 0.0 }, 0.0]
             }

@@ -22,7 +22,7 @@ use crate::motion::Motion;
 use crate::output::agree;
 use crate::output::figures::curves::{Axis, Figure, Mark, Series};
 use crate::output::summary::Figures;
-use crate::scene::{Body, Scene, Shape, Start};
+use crate::scene::{Body, BodyShape, InitialState, Scene};
 use crate::step::Stepper;
 use crate::step::diagnostics::sum_over_ranks;
 
@@ -68,7 +68,7 @@ impl Rest {
             _ => None,
         });
         let field = match &scene.bodies[..] {
-            [body] if body.start == Start::Hydrostatic => Some(Field::of(body, scene)),
+            [body] if body.start == InitialState::Hydrostatic => Some(Field::of(body, scene)),
             _ => None,
         };
         Some(Self { fall, settled: ends.fold(after, f64::max), field })
@@ -79,7 +79,7 @@ impl Field {
     /// Of a body that starts under its weight.
     fn of(body: &Body, scene: &Scene) -> Self {
         let up = body.dimension - 1;
-        if let Shape::Box { size } = body.shape {
+        if let BodyShape::Box { size } = body.shape {
             let g = -scene.gravity.uniform.unwrap_or_default()[up];
             let face = body.centre[up] + 0.5 * size[up];
             return Self::Ground { up, face, thickness: size[up], most: body.density * g * size[up] };

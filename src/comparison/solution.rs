@@ -12,8 +12,7 @@ use crate::exact::{State, noh::Noh, sedov::Sedov};
 use crate::material::MaterialTable;
 use crate::material::eos::EosTable;
 use crate::motion::Motion;
-use crate::scene::compare::{Compare, Solution};
-use crate::scene::{Body, Flow, Layer, Scene, Shape};
+use crate::scene::{Body, BodyShape, ComparisonSettings, Flow, Layer, Scene, Solution};
 
 /// A solution ready to be compared with.
 pub enum Reference {
@@ -67,7 +66,7 @@ fn needs(what: &str) -> Error {
 }
 
 /// The solution that `compare` names, with the scene's parameters.
-pub fn of(scene: &Scene, compare: &Compare) -> Result<Reference> {
+pub fn of(scene: &Scene, compare: &ComparisonSettings) -> Result<Reference> {
     let within = compare.within;
     if compare.core.is_some() && compare.with != Solution::Piston {
         return Err(needs("a piston, whose core alone can be compared"));
@@ -112,8 +111,8 @@ fn ends(body: &Body) -> Result<[f64; 2]> {
 /// Lower and upper end of a body with flat ends along an axis, m.
 fn ends_along(body: &Body, axis: usize) -> Result<[f64; 2]> {
     let length = match body.shape {
-        Shape::Box { size } => size[axis],
-        Shape::Cylinder { height, .. } if axis == 2 => height,
+        BodyShape::Box { size } => size[axis],
+        BodyShape::Cylinder { height, .. } if axis == 2 => height,
         _ => return Err(needs("bodies with flat ends: shape box, or a cylinder along z")),
     };
     Ok([body.centre[axis] - 0.5 * length, body.centre[axis] + 0.5 * length])
@@ -170,8 +169,9 @@ fn piston(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
         let axis = given.next().filter(|_| given.next().is_none())?;
         Some((axis, v[axis]))
     };
-    let of_layer =
-        |layer: &Layer| moving(&layer.motion).map(|(axis, v)| (axis, v, [layer.part.low[axis], layer.part.high[axis]]));
+    let of_layer = |layer: &Layer| {
+        moving(&layer.motion).map(|(axis, v)| (axis, v, [layer.region.low[axis], layer.region.high[axis]]))
+    };
     let of_body =
         |body: &Body| moving(&body.motion).map(|(axis, v)| ends_along(body, axis).map(|ends| (axis, v, ends)));
     let layer = scene.layers.iter().find_map(of_layer);

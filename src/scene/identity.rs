@@ -5,7 +5,7 @@ use std::fmt;
 
 use toml::{Table, Value};
 
-use super::Scene;
+use super::validated::Scene;
 
 /// Keys of `[run]` that may change at a restart.
 const OF_RUN: [&str; 4] = ["until", "steps", "max_time", "checkpoint_every"];

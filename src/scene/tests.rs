@@ -1,6 +1,12 @@
 //! Scenes as a whole: the scenes of `inputs/`, what is read out of them, and the text of messages.
 
+use std::path::Path;
+
+use super::document::source::{Document, SourceText};
+use super::reading::read::check_numbers;
+use super::tables::numerics::ArtificialStress;
 use super::*;
+use crate::error::Result;
 use crate::material::eos::EosTable;
 
 const IMPACT: &str = include_str!("../../inputs/impact.toml");
@@ -66,7 +72,7 @@ fn the_main_scene_is_what_it_says() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("inputs/qd_star.toml");
     let scene = read(&path, &[]).unwrap();
     let [target, projectile] = &scene.bodies[..] else { panic!("two bodies") };
-    assert_eq!(target.shape, Shape::Sphere { radius: 50e3 });
+    assert_eq!(target.shape, BodyShape::Sphere { radius: 50e3 });
     assert!(particles(target).abs_diff(20_000) <= 200, "{}", particles(target));
     assert_eq!(projectile.lattice.spacing, target.lattice.spacing);
     assert!(particles(projectile) >= 100);
@@ -123,7 +129,7 @@ fn a_small_projectile_gets_a_hundred_particles() {
     let n = particles(&scene.bodies[1]);
     assert!((100..=120).contains(&n), "{n}");
     let larger = scene.reread(&["projectile.radius=3 km".into()]).unwrap();
-    assert_eq!(larger.bodies[1].shape, Shape::Sphere { radius: 3e3 });
+    assert_eq!(larger.bodies[1].shape, BodyShape::Sphere { radius: 3e3 });
     assert_eq!(larger.bodies[1].lattice.spacing, larger.bodies[0].lattice.spacing);
     let coarser = parse(IMPACT, &["projectile.radius=100 m", "projectile.least_particles=30"]).unwrap();
     let n = particles(&coarser.bodies[1]);
@@ -387,7 +393,7 @@ fn numbers_beyond_reach_are_refused_at_their_key() {
         "{text}"
     );
     // What no check of its own finds.
-    let source = Source { path: "s.toml".into(), text: BALL.into(), overrides: Vec::new() };
+    let source = SourceText { path: "s.toml".into(), text: BALL.into(), overrides: Vec::new() };
     let document = Document::parse(&source).unwrap();
     let good = parse(BALL, &[]).unwrap();
     assert!(check_numbers(&document, &good).is_ok());

@@ -45,7 +45,7 @@ pub fn row<const D: usize>(scene: &Scene, stepper: &Stepper<D>, comm: &Comm) -> 
         let pores = distention.map_or(0.0, |alpha| columns.get(alpha, i) - 1.0);
         let shares = [volume, volume * columns.get(core.pressure, i), m, m * pores, m * pores * pores];
         for (probe, sums) in scene.probes.iter().zip(sums.chunks_exact_mut(SUMS)) {
-            if probe.part.holds(body.whole(id.body()), start) {
+            if probe.region.holds(body.whole(id.body()), start) {
                 sums.iter_mut().zip(shares).for_each(|(sum, share)| sum.add(share));
             }
         }

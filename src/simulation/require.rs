@@ -4,8 +4,7 @@
 use crate::comparison::Comparison;
 use crate::comparison::modes;
 use crate::error::{Error, Result};
-use crate::scene::hydrostatic::Pressed;
-use crate::scene::{Body, Flow, Scene, Start};
+use crate::scene::{Body, Flow, InitialState, Pressed, Scene};
 
 /// Refuses a scene that no run can begin with.
 pub fn require(scene: &Scene) -> Result<()> {
@@ -17,7 +16,7 @@ pub fn require(scene: &Scene) -> Result<()> {
                 .and_then(|()| modes::ModeShape::new(scene, body, shape))
                 .map_err(|e| at("flow.mode", e))?;
         }
-        if body.start == Start::Hydrostatic {
+        if body.start == InitialState::Hydrostatic {
             let uniform = scene.gravity.uniform.unwrap_or_default();
             let law = scene.materials[body.material].eos.law();
             Pressed::new(body, &law, uniform).map_err(|e| at("start", e))?;

@@ -17,8 +17,7 @@ use crate::pair::record::{PressureGradient, StressTerm, TensorGradient, ViscousT
 use crate::pair::rows::Constants;
 use crate::pair::{PairLoop, Terms};
 use crate::particles::{Column, Columns, ParticleId, Registry};
-use crate::scene::hydrostatic::Pressed;
-use crate::scene::{Blast, Body, Flow, Scene, SmoothingLength, Start};
+use crate::scene::{Blast, Body, Flow, InitialState, Pressed, Scene, SmoothingLengthRule};
 use crate::step::StepSettings;
 use crate::step::diagnostics::sum_over_ranks;
 use crate::step::integrator::{Integrator, Scheme};
@@ -75,8 +74,8 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Result<Plan> {
     let body_material: Vec<usize> = scene.bodies.iter().map(|body| body.material).collect();
     let initial_damage: Vec<f64> = scene.bodies.iter().map(|body| body.damage).collect();
     let smoothing_length = match scene.numerics.smoothing_length {
-        SmoothingLength::Constant => None,
-        SmoothingLength::FollowsDensity { smallest, largest } => {
+        SmoothingLengthRule::Constant => None,
+        SmoothingLengthRule::FollowsDensity { smallest, largest } => {
             Some(material::smoothing_length::Bounds { smallest, largest })
         }
     };
@@ -159,12 +158,12 @@ impl Plan {
                 _ => None,
             };
             let pressed = match body.start {
-                Start::Hydrostatic => {
+                InitialState::Hydrostatic => {
                     let uniform = scene.gravity.uniform.unwrap_or_default();
                     let pressed = Pressed::new(body, &scene.materials[body.material].eos.law(), uniform);
                     Some(pressed.map_err(|e| e.at(format!("{}: body {}", scene.path(), body.name)).bad_input())?)
                 }
-                Start::Unloaded => None,
+                InitialState::Unloaded => None,
             };
             let sites = share(body.lattice_sites(), comm);
             let count = body.count(sites.clone()) as usize;

@@ -11,14 +11,14 @@ use super::settings::{Change, Settings};
 use crate::error::{Error, Result};
 use crate::scene::Scene;
 use crate::scene::answer::identity;
-use crate::scene::source::{Document, Source};
+use crate::scene::source::{Document, SourceText};
 use crate::simulation::require;
 
 /// Texts of a study and of its scene. Reading them is for one rank; what comes of them is the same on all.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Sources {
-    pub study: Source,
-    pub scene: Source,
+    pub study: SourceText,
+    pub scene: SourceText,
 }
 
 /// Pictures of each run would cost as much as small runs themselves.
@@ -66,17 +66,17 @@ impl Point {
 }
 
 /// Whether a text is that of a study rather than of a scene.
-pub fn is_study(source: &Source) -> bool {
+pub fn is_study(source: &SourceText) -> bool {
     source.text.parse::<Table>().is_ok_and(|table| table.contains_key("study"))
 }
 
 /// Reads the file of the study's scene, too.
-pub fn read(study: Source) -> Result<Sources> {
+pub fn read(study: SourceText) -> Result<Sources> {
     let document = Document::parse(&study)?;
     let settings = Settings::read(&document)?;
     require_few(&document, &settings)?;
     let scene = without_detours(&study.folder().join(&settings.scene));
-    let scene = Source::open(&scene, &[]).map_err(|e| {
+    let scene = SourceText::open(&scene, &[]).map_err(|e| {
         let what = format!("{}: {}", e.place, e.what);
         document.error("study.scene", what).allowed("the path of a scene, from the folder of the study's file")
     })?;
@@ -249,7 +249,8 @@ mod tests {
     const HEAD: &str = "[study]\nscene = \"a.toml\"\nerror = \"energy_drift\"\nagainst = \"finest\"\n";
 
     fn study(text: &str) -> Result<Study> {
-        let source = |path: &str, text: &str| Source { path: path.into(), text: text.into(), overrides: Vec::new() };
+        let source =
+            |path: &str, text: &str| SourceText { path: path.into(), text: text.into(), overrides: Vec::new() };
         let scene = format!("dimension = 2\n{SCENE}");
         Study::new(&Sources { study: source("s.toml", &format!("{HEAD}{text}")), scene: source("a.toml", &scene) })
     }

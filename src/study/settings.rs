@@ -305,10 +305,10 @@ pub fn accuracy(text: &str) -> std::result::Result<f64, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::source::Source;
+    use crate::scene::source::SourceText;
 
     fn read(text: &str) -> Result<Settings> {
-        let source = Source { path: "s.toml".into(), text: text.into(), overrides: Vec::new() };
+        let source = SourceText { path: "s.toml".into(), text: text.into(), overrides: Vec::new() };
         Settings::read(&Document::parse(&source)?)
     }
 

@@ -19,7 +19,7 @@ use crate::output::summary::{self, Figures};
 use crate::output::{Summary, agree};
 use crate::process::directory;
 use crate::process::lock::Work;
-use crate::scene::{Body, Scene, Shape};
+use crate::scene::{Body, BodyShape, Scene};
 use crate::simulation::{self, Ended, Options};
 use crate::warning::{self, Warning};
 
@@ -121,7 +121,7 @@ impl<'a> Search<'a> {
         };
         let (target, projectile) = (&scene.bodies[impact.target], &scene.bodies[impact.projectile]);
         let key = format!("{}.radius", projectile.name);
-        if threshold.vary != key || !matches!(projectile.shape, Shape::Sphere { .. }) {
+        if threshold.vary != key || !matches!(projectile.shape, BodyShape::Sphere { .. }) {
             let what = format!("`{}` cannot be varied", threshold.vary);
             return Err(Error::new(what).at("threshold.vary").allowed(key + " of a sphere"));
         }

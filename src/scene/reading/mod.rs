@@ -1,0 +1,10 @@
+//! From a text to a scene: the tables are read, completed from the material library and the defaults, and validated.
+
+mod bodies;
+mod checks;
+mod complete;
+mod curves;
+mod library;
+pub mod read;
+mod tables;
+mod validate;

@@ -1,0 +1,36 @@
+//! `blast` of a body: heat in its middle at the start.
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::Result;
+use crate::scene::document::source::Document;
+use crate::scene::values::checks::positive;
+use crate::units::{Energy, Length};
+
+/// Heat in the middle at the start, spread like the cubic spline; the sum is exact.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BlastTable {
+    /// Internal energy in all (in 2D per metre of depth).
+    energy: Energy,
+    /// Distance from the centre at which nothing of it is left.
+    radius: Length,
+}
+
+/// Energy put into the middle of a body at the start: spread like the cubic spline of this radius, the sum exact.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Blast {
+    /// J (per metre of depth in 2D).
+    pub energy: f64,
+    /// Where nothing of it is left, m.
+    pub radius: f64,
+}
+
+impl BlastTable {
+    pub fn validate(&self, document: &Document, path: &str) -> Result<Blast> {
+        Ok(Blast {
+            energy: positive(document, &format!("{path}.energy"), self.energy)?,
+            radius: positive(document, &format!("{path}.radius"), self.radius)?,
+        })
+    }
+}

@@ -1,0 +1,10 @@
+//! `[[body]]`: a shape of one material on a lattice, with what its particles start with.
+
+pub mod blast;
+pub mod blocks;
+mod filling;
+pub mod flow;
+pub mod reader;
+pub mod shape;
+pub mod table;
+pub mod validated;

@@ -1,0 +1,285 @@
+//! `[[body]]` validated: every key of one body, and what they say together.
+
+use super::blast::Blast;
+use super::filling::Filling;
+use super::flow::Flow;
+use super::table::{BodyTable, Spacing};
+use super::validated::Body;
+use crate::error::{Error, Result};
+use crate::material::MaterialTable;
+use crate::material::eos::EosTable;
+use crate::motion::Motion;
+use crate::particles::Periods;
+use crate::scene::document::source::Document;
+use crate::scene::geometry::joints::Joints;
+use crate::scene::geometry::lattice::{Faces, IDENTITY, Lattice, Rotation, random_rotation, rotation_about};
+use crate::scene::geometry::periods::fills;
+use crate::scene::geometry::rubble::Rubble;
+use crate::scene::geometry::shape::BodyShape;
+use crate::scene::values::checks::POSITIVE;
+use crate::scene::values::components::Components;
+use crate::units::{Angle, Length, Quantity};
+
+/// Validates one body, whose key path is `path` (`body.0`).
+pub struct BodyReader<'a> {
+    pub document: &'a Document<'a>,
+    pub path: String,
+    pub dimension: usize,
+    pub periods: &'a Periods,
+    /// Spacing that "target" stands for, m.
+    pub target_spacing: Option<f64>,
+    /// Whether [impact] places and moves this body; then it cannot do so itself.
+    pub placed: bool,
+}
+
+/// Distance from the origin in spacings at which a millionth of a spacing is lost.
+const FARTHEST: f64 = 1e10;
+
+impl BodyReader<'_> {
+    pub fn read(&self, raw: &BodyTable, material: (usize, &MaterialTable)) -> Result<Body> {
+        let shape = raw.shape.validate(self.document, &self.path, self.dimension)?;
+        let distention = self.distention(raw, material.1)?;
+        let (density, internal_energy) = self.thermal_state(raw, material.1)?;
+        let rotation = self.rotation(raw)?;
+        let rubble = self.rubble(raw, &shape)?;
+        let lattice = self.lattice(raw, (&shape, rubble.as_ref()), rotation)?;
+        let spin = self.spin(raw)?;
+        let body = Body {
+            name: raw.name.clone(),
+            shape,
+            dimension: self.dimension,
+            material: material.0,
+            lattice,
+            centre: self.vector("position", &raw.position)?,
+            velocity: self.vector("velocity", &raw.velocity)?,
+            spin,
+            damage: self.damage(raw, material.1)?,
+            internal_energy,
+            density,
+            distention,
+            motion: Motion::Free,
+            flow: self.flow(raw)?,
+            blast: self.blast(raw)?,
+            rubble,
+            joints: self.joints(raw, &shape, material.1)?,
+            start: raw.start,
+            cut: None,
+        };
+        let body = Body { motion: self.motion(raw, body.velocity)?, ..body };
+        let mass = body.mass();
+        if !(mass > 0.0 && mass.is_finite()) {
+            let what = format!("the mass of the body comes to {mass} kg");
+            return Err(self.error("shape", what).allowed("sizes within reach of numbers"));
+        }
+        if let Some(far) = body.centre.iter().find(|x| x.abs() > FARTHEST * body.lattice.spacing) {
+            let what = format!("at {} numbers do not tell its particles apart", Length::new(*far));
+            return Err(self.error("position", what).allowed("places nearer to the origin, or larger particles"));
+        }
+        if body.has_no_site() {
+            let what = format!("no particle fits into the body at a spacing of {}", Length::new(body.lattice.spacing));
+            return Err(self.error("spacing", what).allowed("a smaller spacing, or a number of particles"));
+        }
+        Ok(body)
+    }
+
+    fn error(&self, key: &str, what: impl Into<String>) -> Error {
+        self.document.error(&format!("{}.{key}", self.path), what)
+    }
+
+    fn positive<const L: i8, const M: i8, const T: i8>(&self, key: &str, value: Quantity<L, M, T>) -> Result<f64> {
+        if value.0 > 0.0 {
+            return Ok(value.0);
+        }
+        let name = key.rsplit('.').next().unwrap_or(key);
+        Err(self.error(key, format!("{name} is {value}")).allowed(POSITIVE))
+    }
+
+    fn spin(&self, raw: &BodyTable) -> Result<[f64; 3]> {
+        match (self.dimension, raw.spin.as_ref().map(|spin| &spin.0[..])) {
+            (_, None) => Ok([0.0; 3]),
+            (2, Some([about_z])) => Ok([0.0, 0.0, about_z.0]),
+            (3, Some([x, y, z])) => Ok([x.0, y.0, z.0]),
+            (2, _) => Err(self.error("spin", "a spin in 2D is one number, about z")),
+            _ => Err(self.error("spin", "a spin has three components")),
+        }
+    }
+
+    fn vector<const L: i8, const M: i8, const T: i8>(
+        &self,
+        key: &str,
+        given: &Option<Components<Quantity<L, M, T>>>,
+    ) -> Result<[f64; 3]> {
+        match given {
+            None => Ok([0.0; 3]),
+            Some(_) if self.placed => Err(self.error(key, format!("the {key} of this body follows from [impact]"))),
+            Some(components) => components.vector(self.document, &format!("{}.{key}", self.path), self.dimension),
+        }
+    }
+
+    fn motion(&self, raw: &BodyTable, velocity: [f64; 3]) -> Result<Motion> {
+        let path = format!("{}.motion", self.path);
+        match &raw.motion {
+            None => Ok(Motion::Free),
+            Some(motion) => motion.validate(self.document, &path, (self.dimension, velocity)),
+        }
+    }
+
+    fn flow(&self, raw: &BodyTable) -> Result<Option<Flow>> {
+        let path = format!("{}.flow", self.path);
+        raw.flow.as_ref().map(|flow| flow.validate(self.document, &path, self.dimension)).transpose()
+    }
+
+    fn blast(&self, raw: &BodyTable) -> Result<Option<Blast>> {
+        let path = format!("{}.blast", self.path);
+        raw.blast.as_ref().map(|blast| blast.validate(self.document, &path)).transpose()
+    }
+
+    fn rubble(&self, raw: &BodyTable, shape: &BodyShape) -> Result<Option<Rubble>> {
+        let path = format!("{}.rubble", self.path);
+        raw.rubble.as_ref().map(|rubble| rubble.validate(self.document, &path, shape, self.dimension)).transpose()
+    }
+
+    fn joints(&self, raw: &BodyTable, shape: &BodyShape, material: &MaterialTable) -> Result<Option<Joints>> {
+        let Some(joints) = &raw.joints else { return Ok(None) };
+        if !material.has_fracture() {
+            let what = format!("material `{}` has no fracture, so there are no joints", raw.material);
+            let error = self.error("joints", what);
+            return Err(error.allowed(format!("a table [material.{}.fracture]", raw.material)));
+        }
+        let path = format!("{}.joints", self.path);
+        joints.validate(self.document, &path, shape, self.dimension).map(Some)
+    }
+
+    fn damage(&self, raw: &BodyTable, material: &MaterialTable) -> Result<f64> {
+        match raw.damage {
+            None => Ok(0.0),
+            Some(damage) if !(0.0..=1.0).contains(&damage.0) => {
+                Err(self.error("damage", format!("damage is {damage}")).allowed("0 to 1"))
+            }
+            Some(_) if material.eos.law().bulk_modulus().is_none() => {
+                Err(self.error("damage", format!("material `{}` is a gas, which does not break", raw.material)))
+            }
+            Some(damage) => Ok(damage.0),
+        }
+    }
+
+    fn distention(&self, raw: &BodyTable, material: &MaterialTable) -> Result<f64> {
+        match raw.distention {
+            None => Ok(1.0),
+            Some(_) if material.porosity.is_none() => {
+                let what = format!("material `{}` has no porosity, so there is no distention", raw.material);
+                let error = self.error("distention", what);
+                Err(error.allowed(format!("a table [material.{}.porosity]", raw.material)))
+            }
+            Some(distention) if distention.0 >= 1.0 && distention.0.is_finite() => Ok(distention.0),
+            Some(distention) => {
+                Err(self.error("distention", format!("distention is {distention}")).allowed("1 (no pores) and above"))
+            }
+        }
+    }
+
+    /// Density, kg/m^3, and specific internal energy, J/kg.
+    fn thermal_state(&self, raw: &BodyTable, material: &MaterialTable) -> Result<(f64, f64)> {
+        let Some(density) = raw.density else {
+            return Err(self.error("density", "key `density` is missing: a gas has no density of its own"));
+        };
+        let rho = self.positive("density", density)?;
+        let energy = match (raw.pressure, raw.internal_energy, &material.eos) {
+            (None, energy, _) => {
+                let energy = energy.unwrap_or_default();
+                if energy.0 < 0.0 {
+                    let what = format!("internal_energy is {energy}");
+                    return Err(self.error("internal_energy", what).allowed("0 or more"));
+                }
+                energy.0
+            }
+            (Some(_), Some(_), _) => {
+                return Err(self
+                    .error("pressure", "both pressure and internal_energy are given")
+                    .allowed("one of them"));
+            }
+            (Some(pressure), None, EosTable::IdealGas(gas)) => {
+                self.positive("pressure", pressure)?;
+                let gamma = gas.gamma.0;
+                let energy = pressure.0 / ((gamma - 1.0) * rho);
+                if !energy.is_finite() {
+                    let what = format!("a pressure of {pressure} at {density} takes more energy than numbers reach");
+                    return Err(self.error("pressure", what).allowed("sizes within reach of numbers"));
+                }
+                energy
+            }
+            (Some(_), None, _) => {
+                let what = "only an ideal gas starts from a pressure";
+                return Err(self.error("pressure", what).allowed("density and internal_energy"));
+            }
+        };
+        Ok((rho, energy))
+    }
+
+    fn rotation(&self, raw: &BodyTable) -> Result<Rotation> {
+        let about = |axis, angle: Angle| Ok(rotation_about(axis, angle.0));
+        let Some(given) = &raw.orientation else { return Ok(IDENTITY) };
+        match (given.seed, &given.axis, given.angle, self.dimension) {
+            (Some(seed), None, None, dimension) => Ok(random_rotation(seed, dimension)),
+            (None, None, Some(angle), 2) => about([0.0, 0.0, 1.0], angle),
+            (None, Some(axis), Some(angle), 3) => {
+                let path = format!("{}.orientation.axis", self.path);
+                let axis = axis.vector(self.document, &path, self.dimension)?;
+                if axis == [0.0; 3] {
+                    return Err(self.error("orientation.axis", "the axis has no length"));
+                }
+                about(axis, angle)
+            }
+            (_, _, _, 2) => Err(self.error("orientation", "unclear").allowed("{ seed = 3 } or { angle = \"30 deg\" }")),
+            _ => {
+                let allowed = "{ seed = 3 } or { axis = [0, 0, 1], angle = \"30 deg\" }";
+                Err(self.error("orientation", "unclear").allowed(allowed))
+            }
+        }
+    }
+
+    fn lattice(
+        &self,
+        raw: &BodyTable,
+        (shape, rubble): (&BodyShape, Option<&Rubble>),
+        rotation: Rotation,
+    ) -> Result<Lattice> {
+        if let Some(least) = raw.least_particles
+            && (least == 0 || raw.spacing != Some(Spacing::OfTarget))
+        {
+            let what = format!("{least} cannot be the least number of particles");
+            let allowed = "1 or more, of the projectile of an [impact] with spacing = \"target\"";
+            return Err(self.error("least_particles", what).allowed(allowed));
+        }
+        let faces = match *shape {
+            BodyShape::Box { size } => Faces { flat: true, periodic: fills(self.periods, size) },
+            _ => Faces::default(),
+        };
+        if faces.periodic != [false; 3] && rotation != IDENTITY {
+            let what = "a turned lattice does not go on beyond a period";
+            return Err(self.error("orientation", what).allowed("no orientation"));
+        }
+        let filling = Filling { kind: raw.lattice, rotation, shape, rubble, dimension: self.dimension, faces };
+        let lattice = match (raw.particles, raw.spacing) {
+            (Some(_), Some(_)) => {
+                return Err(self.error("particles", "both particles and spacing are given").allowed("one of them"));
+            }
+            (None, None) => {
+                return Err(self
+                    .error("particles", "the body has no particles")
+                    .allowed("particles = 20000 or spacing = \"2 km\""));
+            }
+            (Some(0), None) => return Err(self.error("particles", "particles is 0").allowed("1 or more")),
+            (Some(particles), None) => filling.with_particles(particles),
+            (None, Some(Spacing::Given(spacing))) => filling.lattice(self.positive("spacing", spacing)?),
+            (None, Some(Spacing::OfTarget)) => match self.target_spacing {
+                Some(spacing) => filling.at_least(raw.least_particles.unwrap_or(1), spacing),
+                None => {
+                    let what = "only the projectile of an [impact] follows the target's spacing";
+                    return Err(self.error("spacing", what).allowed("a length"));
+                }
+            },
+        };
+        lattice.map_err(|e| e.at(self.document.place(&format!("{}.spacing", self.path))))
+    }
+}

@@ -1,0 +1,168 @@
+//! `[[body]]` as it is written, and the defaults that follow from other keys.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::blast::BlastTable;
+use super::blocks::{JointsTable, RubbleTable};
+use super::flow::FlowTable;
+use super::shape::ShapeTable;
+use crate::material::MaterialTable;
+use crate::scene::geometry::lattice::LatticeKind;
+use crate::scene::tables::motion::MotionTable;
+use crate::scene::values::components::Components;
+use crate::scene::values::word::{self, word_or};
+use crate::units::{Angle, Density, Frequency, Length, Number, Pressure, SpecificEnergy, Speed};
+
+/// A body: a shape of one material, filled with particles on a lattice.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BodyTable {
+    /// Any name but a table's, without `.` and `=`; `--set NAME.KEY=VALUE` means the body.
+    pub name: String,
+    /// Shape around the body's centre.
+    pub shape: ShapeTable,
+    /// A material of the library, or of a table [material.NAME] with an `eos` or a `base`.
+    pub material: String,
+    /// Number of particles; this or `spacing`. The mass is that of the exact shape in any case.
+    pub particles: Option<u64>,
+    /// Distance of nearest particles. The projectile of an impact may have `"target"`, its default without `particles`: the target's
+    /// spacing, or a finer one until the projectile has `least_particles`.
+    pub spacing: Option<Spacing>,
+    /// Least number of particles of a projectile with `spacing = "target"`, where the default is 100.
+    pub least_particles: Option<u64>,
+    /// Arrangement of the particles.
+    #[serde(default)]
+    pub lattice: LatticeKind,
+    /// How the lattice is turned; upright without it.
+    pub orientation: Option<OrientationTable>,
+    /// Where the centre is; the origin without it. [impact] places the projectile.
+    pub position: Option<Components<Length>>,
+    /// Velocity of the centre; at rest without it. [impact] gives the projectile's, and the target of an impact rests.
+    pub velocity: Option<Components<Speed>>,
+    /// Angular velocity about the centre, one number in 2D; none without it.
+    pub spin: Option<Components<Frequency>>,
+    /// Damage at the start; 0 without it. It grows with fracture and stays without it. Broken matter does not pull: a liquid or
+    /// strengthless ground should have 1, as otherwise it bears as much tension as the crystal would.
+    pub damage: Option<Number>,
+    /// Distention at the start: density of the matrix over that of the body. Only with porosity, whose own distention is the default; the
+    /// crush curve of the material is scaled to it.
+    pub distention: Option<Number>,
+    /// Density at the start; without it the material's over the distention. A gas requires it.
+    pub density: Option<Density>,
+    /// Specific internal energy at the start; 0 without it.
+    pub internal_energy: Option<SpecificEnergy>,
+    /// Pressure at the start, of an ideal gas, instead of `internal_energy`.
+    pub pressure: Option<Pressure>,
+    /// How the whole body moves whatever the forces; freely without it.
+    pub motion: Option<MotionTable>,
+    /// A field of velocity at the start, around the body's centre and added to `velocity`.
+    pub flow: Option<FlowTable>,
+    /// Heat in the middle at the start.
+    pub blast: Option<BlastTable>,
+    /// The body is a pile of blocks; solid without it.
+    pub rubble: Option<RubbleTable>,
+    /// The body is parted into blocks by fracture before the start. Needs a material with fracture.
+    pub joints: Option<JointsTable>,
+    /// Whether the body carries its own weight from the start.
+    #[serde(default)]
+    pub start: InitialState,
+}
+
+/// How a body's particles start.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum InitialState {
+    /// On the lattice, at the density of the body.
+    #[default]
+    Unloaded,
+    /// Compressed by its weight: the shape is that without load, and the mass stays. A solid without pores: a ball in a scene with
+    /// `gravity.self`, or a box that fills its periods under `gravity.uniform`, whose lower face stays where it is.
+    Hydrostatic,
+}
+
+/// How a lattice is turned: at random by a `seed`, or about an axis by an angle (in 2D an angle alone).
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct OrientationTable {
+    /// A random rotation; another seed gives another one.
+    pub seed: Option<u64>,
+    /// Axis of the rotation, of any length; in 3D only.
+    pub axis: Option<Components<Number>>,
+    /// Angle of the rotation.
+    pub angle: Option<Angle>,
+}
+
+/// Distance of nearest particles: given, or the target's (finer where the projectile would be too coarse).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Spacing {
+    OfTarget,
+    Given(Length),
+}
+
+impl Spacing {
+    const WORD: &str = "target";
+}
+
+impl Serialize for Spacing {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let given = match self {
+            Spacing::OfTarget => None,
+            Spacing::Given(length) => Some(length),
+        };
+        word::serialize(given, Self::WORD, serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Spacing {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        word_or(deserializer, Self::WORD).map(|given| given.map_or(Spacing::OfTarget, Spacing::Given))
+    }
+}
+
+/// The least number of particles of a projectile whose spacing follows the target's, unless the scene names another.
+const COARSEST_PROJECTILE: u64 = 100;
+
+impl BodyTable {
+    /// The table with every default filled in, as far as it can be: what is missing then is an error to who reads it. `material`: the
+    /// body's, where it is known.
+    pub fn complete(&self, dimension: usize, is_projectile: bool, material: Option<&MaterialTable>) -> Self {
+        let mut complete = self.clone();
+        if is_projectile && self.particles.is_none() {
+            let spacing = *complete.spacing.get_or_insert(Spacing::OfTarget);
+            if spacing == Spacing::OfTarget {
+                complete.least_particles.get_or_insert(COARSEST_PROJECTILE);
+            }
+        }
+        if !is_projectile {
+            complete.position.get_or_insert_with(|| Components::zero(dimension));
+            complete.velocity.get_or_insert_with(|| Components::zero(dimension));
+        }
+        complete.spin.get_or_insert_with(|| Components::zero(if dimension == 2 { 1 } else { 3 }));
+        let upright = || Components([0.0, 0.0, 1.0].map(Number::new).to_vec());
+        complete.orientation.get_or_insert_with(|| OrientationTable {
+            seed: None,
+            axis: (dimension == 3).then(upright),
+            angle: Some(Angle(0.0)),
+        });
+        if let Some(material) = material {
+            complete.complete_state(material);
+        }
+        complete
+    }
+
+    /// What the material says of damage, pores, density and energy.
+    fn complete_state(&mut self, material: &MaterialTable) {
+        if material.has_fracture() {
+            self.damage.get_or_insert(Number::new(0.0));
+        }
+        let mut distention = 1.0;
+        if let Some(porosity) = &material.porosity {
+            distention = self.distention.get_or_insert(porosity.distention).0;
+        }
+        // A porous body is as heavy as its matrix.
+        self.density = self.density.or(material.reference_density().map(|density| Density::new(density / distention)));
+        if self.pressure.is_none() {
+            self.internal_energy.get_or_insert_default();
+        }
+    }
+}

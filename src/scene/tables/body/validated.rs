@@ -1,0 +1,149 @@
+//! A body as the rest of the program knows it: where its particles are, and what they start with.
+
+use std::ops::Range;
+
+use serde::{Deserialize, Serialize};
+
+use super::blast::Blast;
+use super::filling::{COUNTED, is_filled};
+use super::flow::Flow;
+use super::table::InitialState;
+use crate::material::BodyConstants;
+use crate::motion::Motion;
+use crate::scene::geometry::cut::Cut;
+use crate::scene::geometry::joints::Joints;
+use crate::scene::geometry::lattice::Lattice;
+use crate::scene::geometry::rubble::Rubble;
+use crate::scene::geometry::shape::BodyShape;
+
+/// A validated body, SI units.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Body {
+    pub name: String,
+    pub shape: BodyShape,
+    pub dimension: usize,
+    /// Index into the scene's materials.
+    pub material: usize,
+    pub lattice: Lattice,
+    /// Where the shape's centre is, m.
+    pub centre: [f64; 3],
+    /// Velocity of the centre, m/s.
+    pub velocity: [f64; 3],
+    /// Angular velocity about the centre, rad/s; along z in 2D.
+    pub spin: [f64; 3],
+    /// Damage at the start, 0 to 1.
+    pub damage: f64,
+    /// Specific internal energy at the start, J/kg.
+    pub internal_energy: f64,
+    /// Density at the start, kg/m^3.
+    pub density: f64,
+    /// Distention at the start, 1 without pores.
+    pub distention: f64,
+    pub motion: Motion,
+    pub flow: Option<Flow>,
+    pub blast: Option<Blast>,
+    pub rubble: Option<Rubble>,
+    pub joints: Option<Joints>,
+    pub start: InitialState,
+    /// What of the shape it is, where an impact refines its target.
+    pub cut: Option<Cut>,
+}
+
+impl Body {
+    /// Exact volume of its matter, m^3 (in 2D m^2, per metre of depth).
+    pub fn volume(&self) -> f64 {
+        self.cut.map_or_else(|| self.whole_volume(), |cut| cut.volume)
+    }
+
+    /// The same of all parts together.
+    fn whole_volume(&self) -> f64 {
+        self.rubble.as_ref().map_or_else(|| self.shape.volume(self.dimension), |rubble| rubble.volume)
+    }
+
+    /// Exact mass of its matter, kg (per metre of depth in 2D).
+    pub fn mass(&self) -> f64 {
+        self.density * self.volume()
+    }
+
+    /// Exact mass of the body that it is or is a part of, kg (per metre of depth in 2D).
+    pub fn whole_mass(&self) -> f64 {
+        self.density * self.whole_volume()
+    }
+
+    /// Number of the scene's body that this one, with this number, is or is a part of.
+    pub fn whole(&self, number: usize) -> usize {
+        self.cut.map_or(number, |cut| cut.body)
+    }
+
+    pub fn contains(&self, point: [f64; 3]) -> bool {
+        self.holds(std::array::from_fn(|k| point[k] - self.centre[k]))
+    }
+
+    /// Velocity at the start of a particle at `point`, m/s, but for a mode of vibration.
+    pub fn velocity_at(&self, point: [f64; 3]) -> [f64; 3] {
+        let r: [f64; 3] = std::array::from_fn(|k| point[k] - self.centre[k]);
+        let [wx, wy, wz] = self.spin;
+        let turning = [wy * r[2] - wz * r[1], wz * r[0] - wx * r[2], wx * r[1] - wy * r[0]];
+        let flow = self.flow.and_then(|flow| flow.velocity(r)).unwrap_or_default();
+        std::array::from_fn(|k| self.velocity[k] + turning[k] + flow[k])
+    }
+
+    /// Damage at the start of a particle at `point`: whole where a joint or the surface of a block is less than a spacing away.
+    pub fn damage_at(&self, point: [f64; 3]) -> f64 {
+        let local = std::array::from_fn(|k| point[k] - self.centre[k]);
+        let joint = self.joints.as_ref().map_or(f64::INFINITY, |joints| joints.depth(local));
+        let surface = self.rubble.as_ref().and_then(|rubble| rubble.depth(local)).unwrap_or(f64::INFINITY);
+        if joint.min(surface) < self.lattice.spacing { 1.0 } else { self.damage }
+    }
+
+    fn holds(&self, local: [f64; 3]) -> bool {
+        is_filled(local, &self.shape, self.rubble.as_ref(), self.dimension)
+            && self.cut.is_none_or(|cut| cut.holds(local))
+    }
+
+    /// Lattice sites are numbered below this; those inside the shape are its particles.
+    pub fn lattice_sites(&self) -> u64 {
+        self.lattice.sites()
+    }
+
+    /// The sites of `range` that lie inside, with their positions: the same bits whoever asks.
+    pub fn sites(&self, range: Range<u64>) -> impl Iterator<Item = (u64, [f64; 3])> + '_ {
+        range.filter_map(|site| {
+            let local = self.lattice.position(site);
+            self.holds(local).then(|| (site, std::array::from_fn(|k| self.centre[k] + local[k])))
+        })
+    }
+
+    /// Particles among the sites of `range`.
+    pub fn count(&self, range: Range<u64>) -> u64 {
+        range.filter(|site| self.holds(self.lattice.position(*site))).count() as u64
+    }
+
+    /// Whether it has no particles at all; those of many sites are not counted.
+    pub fn has_no_site(&self) -> bool {
+        let sites = self.lattice_sites();
+        sites <= COUNTED && self.count(0..sites) == 0
+    }
+
+    /// Particles as expected from the volume; the true number differs at the surface.
+    pub fn expected_particles(&self) -> f64 {
+        self.volume() / self.lattice.cell_volume()
+    }
+
+    /// What all particles share, once their number is known; `eta` is h over (m / rho)^(1/d).
+    pub fn constants(&self, particles: u64, eta: f64) -> BodyConstants {
+        let particle_mass = self.mass() / particles as f64;
+        let smoothing_length = eta * root(particle_mass / self.density, self.dimension);
+        BodyConstants { particle_mass, smoothing_length, particles, density: self.density, distention: self.distention }
+    }
+
+    /// Smoothing length as expected from the lattice, before particles are counted, m.
+    pub fn expected_smoothing_length(&self, eta: f64) -> f64 {
+        eta * root(self.lattice.cell_volume(), self.dimension)
+    }
+}
+
+/// The d-th root.
+fn root(volume: f64, dimension: usize) -> f64 {
+    if dimension == 2 { volume.sqrt() } else { libm::cbrt(volume) }
+}

@@ -1,0 +1,4 @@
+//! What is allowed in a scene and still unlikely to be meant.
+
+mod resolution;
+mod units;
