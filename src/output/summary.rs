@@ -127,6 +127,8 @@ pub struct Summary {
     pub exchanged_bytes_per_step: f64,
     /// Largest load of a rank over the mean.
     pub imbalance: f64,
+    /// Steps that were refused and tried again shorter.
+    pub refused_steps: u64,
     pub list_builds: u64,
     pub rebisections: u64,
     /// Moves of particles between ranks.

@@ -9,7 +9,7 @@ use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::gravity::{self, Attraction, OwnGravity};
 use crate::kernel::{CubicSpline, Shape};
-use crate::material::{self, BodyConstants, MaterialEffect, ParticleView, Setup};
+use crate::material::{self, BodyConstants, Core, MaterialEffect, ParticleView, Setup};
 use crate::math::{ExactSum, Vec3};
 use crate::motion::Motions;
 use crate::pair::artificial_stress;
@@ -17,10 +17,10 @@ use crate::pair::record::{PressureGradient, StressTerm, TensorGradient, ViscousT
 use crate::pair::rows::Constants;
 use crate::pair::{PairLoop, Terms};
 use crate::particles::{Column, Columns, ParticleId, Registry};
-use crate::scene::{Blast, Body, Flow, InitialState, Pressed, Scene, SmoothingLengthRule};
+use crate::scene::{Blast, Body, Flow, InitialState, IntegratorRule, Pressed, Scene, SmoothingLengthRule};
 use crate::step::StepSettings;
 use crate::step::diagnostics::sum_over_ranks;
-use crate::step::integrator::{Integrator, Scheme};
+use crate::step::integrator::{Integrator, PredictorCorrector, RungeKutta};
 use crate::step::pack::{Moments, Packer};
 
 /// What a scene needs, before any particle exists.
@@ -65,11 +65,22 @@ pub fn count_particles(scene: &Scene, comm: &Comm) -> Result<Vec<BodyConstants>>
     constants.collect()
 }
 
+/// Declares an effect that is no part of the program, see [`plan_with`].
+pub type Declare<'a> = &'a dyn Fn(&Setup, &mut Registry, &Core) -> Result<Option<Box<dyn MaterialEffect>>>;
+
 /// Declares columns and effects for bodies with these constants.
 ///
 /// # Errors
 /// Where an effect misses what it needs.
 pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Result<Plan> {
+    plan_with(scene, constants, &[])
+}
+
+/// The same with further effects, which act after those of the program in their order.
+///
+/// # Errors
+/// Where an effect misses what it needs.
+pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare]) -> Result<Plan> {
     let mut registry = Registry::new(scene.dimension);
     let body_material: Vec<usize> = scene.bodies.iter().map(|body| body.material).collect();
     let initial_damage: Vec<f64> = scene.bodies.iter().map(|body| body.damage).collect();
@@ -88,7 +99,11 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Result<Plan> {
         records: scene.record,
         smoothing_length,
     };
-    let (core, effects) = material::effects(&setup, &mut registry).map_err(|e| e.at(scene.path()).bad_input())?;
+    let here = |e: Error| e.at(scene.path()).bad_input();
+    let (core, mut effects) = material::effects(&setup, &mut registry).map_err(here)?;
+    for declare in more {
+        effects.extend(declare(&setup, &mut registry, &core).map_err(here)?);
+    }
     let view = ParticleView::new(&setup, &registry, core);
     let masses = constants.iter().map(|body| body.particle_mass).collect();
     let motions = Motions::declare(
@@ -109,8 +124,17 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Result<Plan> {
     if terms.angular_momentum() {
         Moments::declare(&mut registry);
     }
-    let integrator = Scheme::default().declare(&mut registry, &core);
+    let integrator = integrator(scene, &mut registry, &core);
     Ok(Plan { registry, view, effects, integrator, terms, constants, motions, gravity })
+}
+
+/// How steps are made; it is declared last, as it has to know all that is integrated.
+fn integrator(scene: &Scene, registry: &mut Registry, core: &Core) -> Box<dyn Integrator> {
+    registry.owner("integrator");
+    match scene.numerics.integrator {
+        IntegratorRule::PredictorCorrector => Box::new(PredictorCorrector::declare(registry, core)),
+        IntegratorRule::RungeKutta { tolerance } => Box::new(RungeKutta::declare(registry, core, tolerance)),
+    }
 }
 
 /// The terms of the pair loop.

@@ -64,6 +64,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         ghost_fraction: ghosts / particles,
         exchanged_bytes_per_step: bytes / stepper.state.step.max(1) as f64,
         imbalance: stepper.imbalance(),
+        refused_steps: stepper.counters.refused,
         list_builds: stepper.counters.list_builds,
         rebisections: stepper.counters.rebisections,
         migrated_particles: spent.migrated,

@@ -45,11 +45,39 @@ pub struct NumericsTable {
     artificial_stress: Switch<ArtificialStressTable>,
     /// Whether the smoothing length h stays as it is at the start.
     smoothing_length: SmoothingLengthValue,
+    /// How steps are made: with one evaluation of all forces, which is right for everything, or with error control.
+    integrator: IntegratorTable,
+}
+
+/// `"predictor_corrector"`, or a table.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum IntegratorTable {
+    /// Second order, one evaluation per step.
+    #[default]
+    PredictorCorrector,
+    /// Second order, two evaluations per step; a step whose error is too large is made again, shorter.
+    RungeKutta(RungeKuttaTable),
+}
+
+/// What the error control of `runge_kutta` tolerates.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct RungeKuttaTable {
+    /// Error of a step: of velocities over the largest relative velocity, of densities over themselves.
+    tolerance: Number,
+}
+
+impl Default for RungeKuttaTable {
+    fn default() -> Self {
+        Self { tolerance: Number::new(1e-4) }
+    }
 }
 
 const CFL: Range = [1e-3, 1.0];
 const SKIN: Range = [0.0, 1.0];
 const FACTOR: Range = [0.0, 1.0];
+const TOLERANCE: Range = [1e-12, 1.0];
 const SMALLEST: Range = [0.01, 1.0];
 const LARGEST: Range = [1.0, 100.0];
 
@@ -67,6 +95,7 @@ impl Default for NumericsTable {
             density_contrast: None,
             artificial_stress: Switch::off(),
             smoothing_length: SmoothingLengthValue::default(),
+            integrator: IntegratorTable::default(),
         }
     }
 }
@@ -198,6 +227,17 @@ pub struct NumericsSettings {
     pub density_contrast: bool,
     pub artificial_stress: Option<ArtificialStress>,
     pub smoothing_length: SmoothingLengthRule,
+    pub integrator: IntegratorRule,
+}
+
+/// How steps are made.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum IntegratorRule {
+    PredictorCorrector,
+    /// With the error of a step that is tolerated.
+    RungeKutta {
+        tolerance: f64,
+    },
 }
 
 /// Gray, Monaghan & Swift 2001, CMAME 190, 6641: repulsion by `factor` of the tension, times f^4.
@@ -268,6 +308,13 @@ impl NumericsTable {
                 }
             }
         };
+        let integrator = match self.integrator {
+            IntegratorTable::PredictorCorrector => IntegratorRule::PredictorCorrector,
+            IntegratorTable::RungeKutta(table) => {
+                let tolerance = within("integrator.runge_kutta.tolerance", table.tolerance, TOLERANCE)?;
+                IntegratorRule::RungeKutta { tolerance }
+            }
+        };
         let [corrected_gradient, angular_momentum, density_contrast] =
             [self.corrected_gradient, self.angular_momentum, self.density_contrast].map(|on| on == Some(true));
         if !corrected_gradient {
@@ -290,6 +337,7 @@ impl NumericsTable {
             density_contrast,
             artificial_stress,
             smoothing_length,
+            integrator,
         })
     }
 

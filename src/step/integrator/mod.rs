@@ -15,19 +15,16 @@
 //! may refuse commits when a step is accepted. Everything is local to a particle; what all ranks must know goes through the
 //! reduction of the stage.
 //!
-//! Adding one: a file here, its name in [`Scheme`].
+//! Adding one: a file here, its key in the scene's `[numerics]`, and the line that joins both where a run is set up.
 
 pub mod predictor_corrector;
 pub mod runge_kutta;
 
-use serde::{Deserialize, Serialize};
-
 use crate::material::Core;
-use crate::particles::{Chunk, Column, Rates, Registry};
-use predictor_corrector::PredictorCorrector;
-use runge_kutta::RungeKutta;
-
 use crate::math::Vec3;
+use crate::particles::{Chunk, Column, Rates, Registry};
+pub use predictor_corrector::PredictorCorrector;
+pub use runge_kutta::RungeKutta;
 
 /// Moves the particles of a run through its steps.
 pub trait Integrator: Send + Sync {
@@ -75,26 +72,6 @@ pub enum Verdict {
     Accept { most: f64 },
     /// It is set back; one of so many seconds is tried instead.
     Refuse { next: f64 },
-}
-
-/// The integrators there are, as a scene asks for them.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-pub enum Scheme {
-    #[default]
-    PredictorCorrector,
-    /// With the error of a step that is tolerated, see [`runge_kutta`].
-    RungeKutta { tolerance: f64 },
-}
-
-impl Scheme {
-    /// Declares the columns that it needs; the last that is declared, as it needs to know all that is integrated.
-    pub fn declare(&self, registry: &mut Registry, core: &Core) -> Box<dyn Integrator> {
-        registry.owner("integrator");
-        match *self {
-            Scheme::PredictorCorrector => Box::new(PredictorCorrector::declare(registry, core)),
-            Scheme::RungeKutta { tolerance } => Box::new(RungeKutta::declare(registry, core, tolerance)),
-        }
-    }
 }
 
 /// The columns that every integrator moves.
