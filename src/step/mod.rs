@@ -3,6 +3,7 @@
 //! ([`neighbourhood`]), records are packed ([`pack`]) and exchanged, rates are evaluated ([`derivatives`]) and taken by the
 //! integrator, and ranks reduce what is global ([`reduction`]).
 
+mod buffers;
 pub mod derivatives;
 pub mod diagnostics;
 pub mod failure;

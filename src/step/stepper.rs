@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::time::Instant;
 
+use super::buffers::Buffers;
 use super::diagnostics::{self, Totals};
 use super::failure::Failure;
 use super::integrator::Verdict;
@@ -19,8 +20,8 @@ use super::workspace::{Findings, Workspace};
 use crate::domain::comm::Comm;
 use crate::material::Core;
 use crate::pair::Rows;
-use crate::particles::chunk::{CHUNK, Chunks, chunk_range};
-use crate::particles::{Chunk, Column, Columns, ParticleId, large_pages};
+use crate::particles::chunk::{Chunks, chunk_range};
+use crate::particles::{Chunk, Column, Columns, ParticleId};
 
 /// Chunks between two looks at the messages on their way.
 const CHUNKS_PER_POLL: usize = 8;
@@ -28,11 +29,6 @@ const CHUNKS_PER_POLL: usize = 8;
 /// share of its first length.
 const SHORTER: f64 = 0.2;
 const SHORTEST: f64 = 1e-6;
-
-/// A line of 64 bytes.
-#[repr(C, align(64))]
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-struct Line([f64; 8]);
 
 /// A step that was made.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,16 +53,10 @@ pub struct Stepper<'c, const D: usize> {
     /// Tightest limit of this rank's particles at the last evaluation.
     pub limit: Limit,
     pub(super) internal_energy: Option<Column<f64>>,
-    records: Vec<Line>,
-    /// Chunks without and with ghosts in their rows.
-    interior: Vec<u32>,
-    boundary: Vec<u32>,
-    all: Vec<u32>,
+    pub(super) buffers: Buffers,
     pointers: Vec<(*mut u64, usize)>,
     /// What this rank has found in the last evaluation.
     found: Findings,
-    /// Whether lists and records were given back.
-    pub(super) released: bool,
 }
 
 impl<'c, const D: usize> Stepper<'c, D> {
@@ -86,13 +76,9 @@ impl<'c, const D: usize> Stepper<'c, D> {
             counters: Counters::default(),
             limit: Limit::NONE,
             internal_energy,
-            records: Vec::new(),
-            interior: Vec::new(),
-            boundary: Vec::new(),
-            all: Vec::new(),
+            buffers: Buffers::default(),
             pointers: Vec::new(),
             found: Findings::nothing(),
-            released: false,
         }
     }
 
@@ -175,7 +161,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
     }
 
     /// Number of the step that is being made.
-    fn coming(&self) -> u64 {
+    pub(super) fn coming(&self) -> u64 {
         self.state.step + 1
     }
 
@@ -229,35 +215,6 @@ impl<'c, const D: usize> Stepper<'c, D> {
         Err(Failure { step: self.coming(), particle: None, what })
     }
 
-    /// Gives the memory of lists and records back, for work that needs its own. The next step makes them anew from the
-    /// positions of the last build: nothing changes.
-    pub fn release_buffers(&mut self) {
-        self.neighbourhood.forget_list();
-        self.records = Vec::new();
-        self.released = true;
-    }
-
-    pub(super) fn rebuild_released(&mut self) {
-        if self.released {
-            self.rebuild(false);
-        }
-    }
-
-    /// What the last evaluation read; none where it was given back.
-    pub(super) fn rows(&self) -> Option<Rows<'_>> {
-        (!self.released).then(|| self.rows_now())
-    }
-
-    fn rows_now(&self) -> Rows<'_> {
-        let list = &self.neighbourhood.list;
-        Rows {
-            records: bytemuck::cast_slice(&self.records),
-            offsets: &list.offsets,
-            entries: &list.entries,
-            slots: &self.neighbourhood.local().slot_of_owned,
-        }
-    }
-
     /// Conserved quantities; collective.
     pub fn totals(&mut self) -> Totals {
         let start = Instant::now();
@@ -297,16 +254,11 @@ impl<'c, const D: usize> Stepper<'c, D> {
         }
     }
 
-    /// Bytes of the pair records held.
-    pub fn record_bytes(&self) -> usize {
-        std::mem::size_of::<Line>() * self.records.capacity()
-    }
-
     pub(super) fn chunk_pass(&mut self, work: impl Fn(&Passes, &Chunk, &mut Workspace) + Sync) {
         let (registry, count) = (Arc::clone(&self.columns.registry), self.columns.len());
         let passes = Passes { settings: &self.settings, registry: &registry };
         let chunks = Chunks::new(&mut self.columns, std::mem::take(&mut self.pointers));
-        self.workers.each(&self.all, |chunk, workspace| {
+        self.workers.each(&self.buffers.all, |chunk, workspace| {
             // SAFETY: each chunk is worked on once per pass, and chunks do not overlap.
             let chunk = unsafe { chunks.chunk(chunk_range(chunk, count)) };
             work(&passes, &chunk, workspace);
@@ -329,12 +281,12 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.phases.add(Phase::Pack, start);
         let layout = *self.settings.pair_loop.layout();
         let stride = layout.stride();
-        let records: &[f64] = bytemuck::cast_slice(&self.records);
+        let records: &[f64] = bytemuck::cast_slice(&self.buffers.records);
         self.neighbourhood.send(records, stride, self.comm);
         let mut gravity = self.begin_gravity(moment);
         let age = self.state.gravity.age.unwrap_or(0.0) + if moment.stage == 0 { 0.0 } else { moment.since };
         let moment = &Moment { gravity_age: age, ..*moment };
-        let interior = std::mem::take(&mut self.interior);
+        let interior = std::mem::take(&mut self.buffers.interior);
         for group in interior.chunks(CHUNKS_PER_POLL * self.workers.threads()) {
             let start = Instant::now();
             self.evaluate_chunks(group, moment);
@@ -346,15 +298,15 @@ impl<'c, const D: usize> Stepper<'c, D> {
                 self.phases.add(Phase::Gravity, start);
             }
         }
-        self.interior = interior;
+        self.buffers.interior = interior;
         let start = Instant::now();
         self.neighbourhood.wait(self.comm);
         self.phases.add(Phase::Wait, start);
         let start = Instant::now();
-        self.neighbourhood.receive(bytemuck::cast_slice_mut(&mut self.records), stride);
-        let boundary = std::mem::take(&mut self.boundary);
+        self.neighbourhood.receive(bytemuck::cast_slice_mut(&mut self.buffers.records), stride);
+        let boundary = std::mem::take(&mut self.buffers.boundary);
         self.evaluate_chunks(&boundary, moment);
-        self.boundary = boundary;
+        self.buffers.boundary = boundary;
         self.found = self.collect();
         self.limit = self.found.limit;
         self.counters.pairs += self.found.pairs;
@@ -373,7 +325,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let (registry, count) = (Arc::clone(&self.columns.registry), self.columns.len());
         let passes = Passes { settings: &self.settings, registry: &registry };
         let rows = Rows {
-            records: bytemuck::cast_slice(&self.records),
+            records: bytemuck::cast_slice(&self.buffers.records),
             offsets: &self.neighbourhood.list.offsets,
             entries: &self.neighbourhood.list.entries,
             slots: &self.neighbourhood.local().slot_of_owned,
@@ -387,24 +339,6 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.pointers = chunks.into_pointers();
     }
 
-    fn pack(&mut self, dt: f64) {
-        struct Records(*mut f64);
-        // SAFETY: chunks write to the slots of their own particles only, which are all different.
-        unsafe impl Sync for Records {}
-        impl Records {
-            fn start(&self) -> *mut f64 {
-                self.0
-            }
-        }
-        let records = Records(bytemuck::cast_slice_mut::<Line, f64>(&mut self.records).as_mut_ptr());
-        let (columns, packer) = (&self.columns, &self.settings.packer);
-        let slots = &self.neighbourhood.local().slot_of_owned;
-        self.workers.each(&self.all, |chunk, _| {
-            // SAFETY: `records` has a slot for every local particle, and no two particles share one.
-            unsafe { packer.pack(columns, (chunk_range(chunk, columns.len()), dt), slots, records.start()) };
-        });
-    }
-
     /// The longest step in which nothing flies into each other unseen, s. Collective.
     fn closing(&mut self, fastest: f64) -> f64 {
         let start = Instant::now();
@@ -416,56 +350,5 @@ impl<'c, const D: usize> Stepper<'c, D> {
         }
         self.phases.add(Phase::Watch, start);
         found.dt
-    }
-
-    fn find_chunks(&mut self) {
-        self.all.clear();
-        self.all.extend(0..self.columns.len().div_ceil(CHUNK) as u32);
-    }
-
-    /// New lists; `fresh` from the present positions, otherwise from those of the last build.
-    pub(super) fn rebuild(&mut self, fresh: bool) {
-        self.released = false;
-        let start = Instant::now();
-        if fresh {
-            self.neighbourhood.start_afresh(&mut self.columns, &self.settings);
-            let rebisected = self.neighbourhood.balance(
-                &self.columns,
-                &Load { phases: &self.phases, steps: self.coming() },
-                self.comm,
-            );
-            self.counters.list_builds += 1;
-            self.counters.rebisections += rebisected as u64;
-        }
-        self.neighbourhood.distribute(&mut self.columns, &self.settings, self.comm);
-        self.counters.migrated += self.neighbourhood.migrated() as u64;
-        self.phases.add(Phase::Migration, start);
-        let start = Instant::now();
-        self.neighbourhood.build_list();
-        self.phases.add(Phase::Lists, start);
-        self.find_chunks();
-        let count = self.columns.len();
-        self.interior.clear();
-        self.boundary.clear();
-        let mut rest = self.neighbourhood.list.boundary.iter().peekable();
-        for &chunk in &self.all {
-            let range = chunk_range(chunk as usize, count);
-            let mut with_ghosts = false;
-            while rest.next_if(|row| (**row as usize) < range.end).is_some() {
-                with_ghosts = true;
-            }
-            if with_ghosts { self.boundary.push(chunk) } else { self.interior.push(chunk) }
-        }
-        let layout = *self.settings.pair_loop.layout();
-        let lines = layout.stride() / 8;
-        let needed = (self.neighbourhood.local().count + 1) * lines;
-        if self.records.capacity() < needed {
-            // The old ones are not read again.
-            self.records = large_pages::with_capacity(needed);
-        }
-        self.records.resize(needed, Line([0.0; 8]));
-        let padding = self.neighbourhood.local().count * layout.stride();
-        layout
-            .padding(&mut bytemuck::cast_slice_mut::<Line, f64>(&mut self.records)[padding..padding + layout.stride()]);
     }
 }
