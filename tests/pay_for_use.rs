@@ -340,3 +340,32 @@ fn check_says_what_a_scene_costs() {
     assert!(efficiency(&slow) < 0.1 && efficiency(&text) < 1.0 && efficiency(&text) > efficiency(&slow));
     assert!(!out.exists(), "a check leaves no run");
 }
+
+/// Matter whose pressure depends on density alone has no energy to carry, and no balance of it is claimed; heat that would be lost
+/// on it is refused.
+#[test]
+fn cold_matter_carries_no_energy() {
+    let text = |more: &str| {
+        let glass = "eos = { murnaghan = { rho_0 = \"2540 kg/m^3\", K_0 = \"5 GPa\", n = 4 } }";
+        let strength = "strength = { shear_modulus = \"3 GPa\", yield_strength = \"1 GPa\" }";
+        let ball = |name: &str, radius: f64, particles: u32| {
+            format!(
+                "[[body]]\nname = \"{name}\"\nshape = {{ sphere = {{ radius = {radius} }} }}\nmaterial = \"bead\"\nparticles = {particles}\n"
+            )
+        };
+        let (target, projectile) = (ball("target", 1.0, 300), ball("projectile", 0.5, 40));
+        format!(
+            "{target}{projectile}{more}\n[material.bead]\n{glass}\n{strength}\n[impact]\nspeed = \"50 m/s\"\n[run]\nuntil = \"2 ms\"\n\
+             [output]\npicture = false\nsnapshots = 1\n"
+        )
+    };
+    let (_, plan) = parse(&text(""));
+    assert!(plan.registry.find::<f64>("internal_energy").is_none());
+    let (_dir, summary) = run(&text(""), 1, &[]);
+    assert!(summary["energy_drift"].is_null(), "{}", summary["energy_drift"]);
+    assert!(summary["momentum_drift"].as_f64().is_some_and(|drift| drift < 1e-12), "{}", summary["momentum_drift"]);
+    let scene = Scene::parse("scene.toml", &text("internal_energy = \"1 J/kg\""), &[]).expect("a scene");
+    let constants = scene.bodies.iter().map(|body| body.constants(10, scene.numerics.eta)).collect();
+    let refused = plan(&scene, constants).err().expect("heat has no place").to_string();
+    assert!(refused.contains("starts with heat"), "{refused}");
+}

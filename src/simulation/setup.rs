@@ -9,6 +9,7 @@ use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::gravity::{self, Attraction, OwnGravity};
 use crate::kernel::{CubicSpline, Shape};
+use crate::material::eos::INTERNAL_ENERGY;
 use crate::material::{self, BodyConstants, Core, MaterialEffect, ParticleView, Setup};
 use crate::math::{ExactSum, Vec3};
 use crate::motion::Motions;
@@ -104,6 +105,7 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
     for declare in more {
         effects.extend(declare(&setup, &mut registry, &core).map_err(here)?);
     }
+    check_heat(scene, &registry)?;
     let view = ParticleView::new(&setup, &registry, core);
     let masses = constants.iter().map(|body| body.particle_mass).collect();
     let motions = Motions::declare(
@@ -126,6 +128,21 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
     }
     let integrator = integrator(scene, &mut registry, &core);
     Ok(Plan { registry, view, effects, integrator, terms, constants, motions, gravity })
+}
+
+/// Heat that a scene gives to matter in which heat does nothing would be lost without a word.
+fn check_heat(scene: &Scene, registry: &Registry) -> Result<()> {
+    let is_cold = registry.find::<f64>(INTERNAL_ENERGY).is_none();
+    let heated = scene.bodies.iter().find(|body| body.internal_energy != 0.0 || body.blast.is_some());
+    match heated.filter(|_| is_cold) {
+        Some(body) => {
+            Err(Error::new(format!("body `{}` starts with heat, but pressure depends on density alone", body.name))
+                .at(scene.path())
+                .allowed("an equation of state with an internal energy, or no heat")
+                .bad_input())
+        }
+        None => Ok(()),
+    }
 }
 
 /// How steps are made; it is declared last, as it has to know all that is integrated.
@@ -174,7 +191,7 @@ impl Plan {
     pub fn populate(self, scene: &Scene, comm: &Comm) -> Result<(Columns, StepSettings)> {
         let core = self.view.core;
         let mut columns = Columns::new(self.registry.clone());
-        let internal_energy = self.registry.find::<f64>("internal_energy");
+        let internal_energy = self.registry.find::<f64>(INTERNAL_ENERGY);
         let damage = self.registry.find::<f64>(material::damage::DAMAGE);
         for (number, body) in scene.bodies.iter().enumerate() {
             let mode = match body.flow {

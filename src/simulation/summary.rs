@@ -34,6 +34,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
     let spent = &report.spent;
     let core_seconds = spent.cpu.max(1e-9);
     let conservation = &state.conservation;
+    let (balances, left) = (has_balance(report.scene), report.totals.kinetic_in_centre_of_mass());
     let beside = serde_json::to_string(&stepper.state).unwrap_or_default();
     let mut summary = Summary {
         title: report.scene.title.clone(),
@@ -52,8 +53,8 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         updates_per_core_second: spent.updates as f64 / core_seconds,
         bytes_per_particle: memory / particles,
         list_bytes_per_particle: list / particles,
-        energy_drift: conservation.energy_drift(),
-        energy_drift_over_left: conservation.energy_drift_over_left(report.totals.kinetic_in_centre_of_mass()),
+        energy_drift: if balances { conservation.energy_drift() } else { f64::NAN },
+        energy_drift_over_left: if balances { conservation.energy_drift_over_left(left) } else { f64::NAN },
         momentum_drift: conservation.momentum,
         angular_momentum_drift: match turns_freely(report.scene, stepper) {
             true => conservation.angular_momentum,
@@ -80,6 +81,11 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
     let found = warnings::of_run(report, &summary);
     summary.warnings.extend(found);
     summary
+}
+
+/// Whether energy is accounted for: cold matter does not say what it takes up.
+fn has_balance(scene: &Scene) -> bool {
+    scene.bodies.iter().all(|body| !scene.materials[body.material].eos.law().is_cold())
 }
 
 /// What became of each body.
