@@ -6,7 +6,7 @@ use std::path::Path;
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{Launch, PROGRAM, SMALL_SEARCH, assert_known_files};
+use crate::common::{Launch, PROGRAM, SMALL_SEARCH, assert_as_measured, assert_known_files};
 
 const CAMPAIGN: &str = r#"
 title = "A small campaign"
@@ -61,6 +61,8 @@ fn every_point_is_a_search_and_the_table_grows() {
     let q_star: Vec<f64> = rows.iter().map(|row| row["q_star_d"].as_f64().expect("Q*_D")).collect();
     // Ice is bound by a ninth of the energy.
     assert!(q_star[1] < 0.5 * q_star[0], "{q_star:?}");
+    assert_as_measured("Q*_D of rock, J/kg", q_star[0], 1.0556e4);
+    assert_as_measured("Q*_D of ice, J/kg", q_star[1], 4.791e3);
     let page = fs::read_to_string(dir.path().join("run/study.md")).expect("a page");
     assert!(page.contains("| 1 | rock | 10000 | 5000 |") && !page.contains("Pareto: "), "{page}");
     for part in ["run", "run/point_001", "run/point_001/impact_01"] {

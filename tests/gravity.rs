@@ -10,7 +10,7 @@ use sph_mpi::random::uniform;
 use sph_mpi::scene::Scene;
 use sph_mpi::simulation::scales::free_fall_time_of;
 
-use crate::common::{ByHand, ranks, same_on_any_ranks};
+use crate::common::{ByHand, assert_as_measured, ranks, same_on_any_ranks};
 
 /// A ball of rock in flight.
 const THROWN: &str = r#"
@@ -122,11 +122,13 @@ fn hydrostatic_column() {
         }
         println!("pressure within {worst:.4} of that at the bottom");
         assert!(worst < 0.015, "{worst}");
+        assert_as_measured("pressure", worst, 0.01111);
         let last = column.stepper.totals();
         let moved = last.potential.expect("gravity") - first.potential.expect("gravity");
         let drift = (last.balance() - first.balance()).abs();
         println!("energy drifts by {:.2e} of what the column lost by settling", drift / moved.abs());
-        assert!(moved < 0.0 && drift < 0.01 * moved.abs(), "{drift} {moved}");
+        assert!(moved < 0.0 && drift < 1e-4 * moved.abs(), "{drift} {moved}");
+        assert_as_measured("drift of energy", drift / moved.abs(), 7.018e-6);
         let drift = (last.momentum_balance(column.time) - first.momentum_balance(0.0)).norm();
         assert!(drift < 1e-9 * last.weight.norm() * column.time, "{drift}");
     });
@@ -199,8 +201,14 @@ fn errors_against_direct_sums() {
         let exact: Vec<Field> = every.iter().map(|&i| direct(&bodies, &bodies[i])).collect();
         let first = solve(comm, &bodies, &Opening { angle: 0.7, accuracy: f64::INFINITY, order: 4 });
         bodies.iter_mut().zip(&first).for_each(|(body, field)| body.acceleration = size(&field.acceleration));
-        let cases = [(3, 0.03, 4e-3), (4, 0.01, 1e-3), (4, 1e-3, 4e-4), (5, 1e-4, 1.2e-4)];
-        for (order, accuracy, allowed) in cases {
+        // Order, accuracy, what the median may be, and median, 99 %, largest and that of the potential as measured.
+        let cases = [
+            (3, 0.03, 4e-3, [1.497e-3, 7.927e-3, 3.820e-2, 1.479e-3]),
+            (4, 0.01, 1e-3, [4.087e-4, 2.177e-3, 3.155e-2, 4.017e-3]),
+            (4, 1e-3, 4e-4, [1.918e-4, 6.885e-4, 1.554e-2, 5.480e-3]),
+            (5, 1e-4, 1.2e-4, [2.523e-5, 1.080e-4, 4.956e-4, 4.731e-5]),
+        ];
+        for (order, accuracy, allowed, measured) in cases {
             let fields = solve(comm, &bodies, &Opening { angle: 0.9, accuracy, order });
             let error = |(&i, exact): (&usize, &Field)| {
                 let off = std::array::from_fn(|k| fields[i].acceleration[k] - exact.acceleration[k]);
@@ -215,8 +223,12 @@ fn errors_against_direct_sums() {
             println!(
                 "order {order}, accuracy {accuracy}: {median:.1e}, 99 % {most:.1e}, max {worst:.1e}; potential {potential:.1e}"
             );
-            assert!(median < allowed && most < 5.0 * allowed && worst < 100.0 * allowed, "{accuracy}");
+            // Where ball and clump pull against each other next to nothing is left, and the error is large beside it.
+            assert!(median < allowed && most < 5.0 * allowed && worst < 0.05, "{accuracy}");
             assert!(potential < 0.01, "{potential}");
+            for (found, measured) in [median, most, worst, potential].into_iter().zip(measured) {
+                assert_as_measured(&format!("accuracy {accuracy}"), found, measured);
+            }
             let force = |k: usize| bodies.iter().zip(&fields).map(|(b, f)| b.mass * f.acceleration[k]).sum::<f64>();
             let scale: f64 = bodies.iter().zip(&fields).map(|(b, f)| b.mass * size(&f.acceleration)).sum();
             let drift = Vec3::new(force(0), force(1), force(2)).norm() / scale;
@@ -365,7 +377,7 @@ fn cold_collapse() {
         let found = start.potential.expect("gravity");
         assert!((found / potential - 1.0).abs() < 0.02, "{found} {potential}");
         let fall = free_fall_time_of(1000.0);
-        for x in [0.5, 0.7, 0.85f64] {
+        for (x, radius) in [(0.5, 0.004450), (0.7, 0.01279), (0.85f64, 0.02869)] {
             let time = 2.0 / PI * fall * (x + 0.5 * (2.0 * x).sin());
             cloud.run(time, |_| {});
             let ratio = spread(&cloud) / first / x.cos().powi(2);
@@ -381,6 +393,7 @@ fn cold_collapse() {
             );
             // Softening over 2h weakens gravity by about (h / R)^2.
             assert!((ratio - 1.0).abs() < 0.03, "{ratio}");
+            assert_as_measured("radius, beside that expected", ratio - 1.0, radius);
             assert!(energy.abs() < 5e-4 && momentum < 1e-12, "{energy} {momentum}");
         }
     });
@@ -499,6 +512,7 @@ fn hydrostatic_start() {
             off(&planet).1
         );
         assert!(off(&planet).0 < 0.02, "{:?}", off(&planet));
+        assert_as_measured("pressure at the start", off(&planet).0, 0.008742);
         // Sound crosses it in 320 s; it would fall into itself in 1280 s.
         let mut fastest = 0.0f64;
         planet.run(960.0, |planet| {
@@ -516,6 +530,8 @@ fn hydrostatic_start() {
             (end.balance() - start.balance()) / start.potential.expect("gravity").abs()
         );
         assert!(off(&planet).0 < 0.02 && fastest < 0.01 * escape, "{:?} {fastest} {escape}", off(&planet));
+        assert_as_measured("pressure at the end", off(&planet).0, 0.006042);
+        assert_as_measured("largest speed", fastest / escape, 0.002151);
     });
 }
 

@@ -9,7 +9,7 @@ use sph_mpi::random::uniform;
 use sph_mpi::scene::Scene;
 use sph_mpi::step::pack::Packer;
 
-use crate::common::{ByHand, ranks};
+use crate::common::{ByHand, assert_as_measured, ranks};
 
 /// A ball, and particles to be put wherever a test needs them.
 const BALL: &str = r#"
@@ -51,7 +51,9 @@ fn nearly_coincident_particles() {
     ranks(1, "hard_neighbours::nearly_coincident_particles", |comm| {
         let calm = calm(comm);
         for kernel in ["cubic_spline", "wendland_c2"] {
-            for (speed, artificial_stress) in [(0.0, true), (1e3, true), (1e3, false)] {
+            let pinned = if kernel == "cubic_spline" { [0.0, -0.001779, 0.001405] } else { [0.0, -0.1561, 0.001389] };
+            let cases = [(0.0, true), (1e3, true), (1e3, false)];
+            for ((speed, artificial_stress), measured) in cases.into_iter().zip(pinned) {
                 let change =
                     [format!("numerics.kernel={kernel}"), format!("numerics.artificial_stress={artificial_stress}")];
                 let mut hand = ByHand::<3>::with(BALL, &change.each_ref().map(String::as_str), comm, |_, _, _| {});
@@ -61,10 +63,11 @@ fn nearly_coincident_particles() {
                      energy {energy:.1e}, momentum {momentum:.1e}",
                     least / calm
                 );
-                assert!(least > 0.5 * calm && momentum < 1e-13 && energy.is_finite());
+                assert!(least > 0.5 * calm && momentum < 1e-13);
                 // The pair crosses its core within a few steps, a coarse integration. The artificial stress between particles
                 // this close, f^4 = 350 with Wendland's kernel, is too stiff for these steps: 0.2 to 16 %.
-                assert!(artificial_stress || energy.abs() < 0.02);
+                assert!(energy.abs() < if artificial_stress { 0.2 } else { 0.02 }, "{energy}");
+                assert_as_measured(&format!("{kernel}, {speed} m/s, energy"), energy, measured);
             }
         }
     });

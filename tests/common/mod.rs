@@ -403,6 +403,13 @@ history_every = 1
 picture = false
 "#;
 
+/// Runs give the same bits everywhere, so that only a change of the physics or of the sums moves a figure: by two per cent to
+/// either side, and somebody has to look at it. What it may be at most stands beside it.
+#[track_caller]
+pub fn assert_as_measured(what: &str, found: f64, measured: f64) {
+    assert!((found - measured).abs() <= 0.02 * measured.abs(), "{what} is {found:e}, measured before: {measured:e}");
+}
+
 /// Writes `scene` to a file of `dir`.
 pub fn write_scene(dir: &Path, scene: &str) -> PathBuf {
     let path = dir.join("scene.toml");
