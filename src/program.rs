@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Parser;
 
 use crate::campaigns::study::{self, Part, Sources, Study, points, stored};
-use crate::campaigns::{cost, search};
+use crate::campaigns::{cost, keys, search};
 use crate::cli::Args;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result, plain};
@@ -34,6 +34,7 @@ pub fn main() -> i32 {
     let comm = Comm::start();
     let resident_at_start = resources::resident_bytes();
     let code = match Args::try_parse() {
+        Ok(args) if args.keys.is_some() || args.schema.is_some() => explain_keys(&args, &comm),
         Ok(args) => on_all_ranks(&args, resident_at_start, &comm),
         Err(error) => {
             if comm.is_root() {
@@ -47,6 +48,22 @@ pub fn main() -> i32 {
     }
     comm.finish();
     code
+}
+
+/// What may be written in a scene or a study: rank 0 prints what all find.
+fn explain_keys(args: &Args, comm: &Comm) -> i32 {
+    let text = match (&args.keys, &args.schema) {
+        (Some(table), _) => keys::text(table),
+        (None, of) => keys::schema_text(of.as_deref().unwrap_or_default()),
+    };
+    let text = match text {
+        Ok(text) => text,
+        Err(error) => return complain(&error, BAD_INPUT, comm),
+    };
+    match agree(comm, if comm.is_root() { print(&text) } else { Ok(()) }) {
+        Ok(()) => 0,
+        Err(error) => complain(&error, FAILED, comm),
+    }
 }
 
 /// What the command line gets for an answer: in colours, unless it holds what no terminal should get.
@@ -117,8 +134,8 @@ fn read(args: &Args, comm: &Comm) -> Result<Task> {
     type Texts = (Option<(Scene, Option<Accuracy>)>, Option<Sources>);
     let read = || -> Result<Texts> {
         let refused =
-            |what: &str, allowed: &str| Err(Error::new(what).at(args.scene.display().to_string()).allowed(allowed));
-        let source = SourceText::open(&args.scene, &args.overrides)?;
+            |what: &str, allowed: &str| Err(Error::new(what).at(args.scene().display().to_string()).allowed(allowed));
+        let source = SourceText::open(args.scene(), &args.overrides)?;
         if points::is_study(&source) {
             if args.accuracy.is_some() {
                 return refused("--accuracy of a study", "the scene that was studied");
@@ -182,7 +199,7 @@ fn part(args: &Args) -> Part {
 /// A study often has the name of its scene: its folder must not be that of the scene's runs.
 fn usual_directory(args: &Args, task: &Task) -> PathBuf {
     // What comes through a pipe has no name of its own.
-    let name = if input::is_passed_on(&args.scene) { Path::new("stdin") } else { &args.scene };
+    let name = if input::is_passed_on(args.scene()) { Path::new("stdin") } else { args.scene() };
     let directory = directory::default_directory(name);
     match task {
         Task::Scene(..) => directory,

@@ -24,6 +24,7 @@ mod hard_pores_shocks;
 mod hard_rubble;
 mod input;
 mod kept_gravity;
+mod keys;
 mod late_stage;
 mod nbody;
 mod output;

@@ -3,6 +3,7 @@
 pub mod bracket;
 pub mod cost;
 pub mod fit;
+pub mod keys;
 pub mod model;
 pub mod pace;
 pub mod record;
