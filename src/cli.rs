@@ -1,6 +1,6 @@
 //! The command line.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Parser;
 
@@ -27,6 +27,9 @@ Examples:
   sph-mpi inputs/impact.toml --resume --set 'run.until=40 s'
       take a run that has ended further
 
+  sph-mpi --keys body
+      every key of a table, with unit, default and what is allowed; --keys alone lists the tables
+
 In --set, a body is addressed by its name and its shape's keys follow directly (projectile.radius).
 Ctrl-C, SIGTERM, SIGHUP and SIGUSR1 end a run with a checkpoint. RUST_LOG sets what is logged (error, warn, info, debug).";
 
@@ -35,7 +38,16 @@ Ctrl-C, SIGTERM, SIGHUP and SIGUSR1 end a run with a checkpoint. RUST_LOG sets w
 #[command(name = "sph-mpi", version, about, after_help = EXAMPLES)]
 pub struct Args {
     /// Scene file (TOML).
-    pub scene: PathBuf,
+    #[arg(required_unless_present_any = ["keys", "schema"])]
+    pub scene: Option<PathBuf>,
+
+    /// Print the keys of a table of scenes or studies, e.g. body or material.porosity [default: list the tables].
+    #[arg(long, value_name = "TABLE", num_args = 0..=1, default_missing_value = "", exclusive = true)]
+    pub keys: Option<String>,
+
+    /// Print the JSON Schema of scenes, or that of studies.
+    #[arg(long, value_name = "scene|study", num_args = 0..=1, default_missing_value = "scene", exclusive = true)]
+    pub schema: Option<String>,
 
     /// Validate the scene and say what it will cost: effects, columns, bytes per particle, ghosts, time.
     #[arg(long)]
@@ -90,6 +102,13 @@ pub struct Args {
     pub quiet: bool,
 }
 
+impl Args {
+    /// The scene file; empty where none is needed.
+    pub fn scene(&self) -> &Path {
+        self.scene.as_deref().unwrap_or(Path::new(""))
+    }
+}
+
 fn positive(text: &str) -> Result<f64, String> {
     let value: f64 = text.parse().map_err(|_| "not a number".to_string())?;
     if value > 0.0 && value.is_finite() { Ok(value) } else { Err("more than 0 is allowed".into()) }
@@ -122,6 +141,9 @@ mod tests {
         let network = parse("sph-mpi a.toml --check --latency 2e-6 --bandwidth 1e10").unwrap();
         assert_eq!((network.latency, network.bandwidth), (Some(2e-6), Some(1e10)));
         assert_eq!(parse("sph-mpi a.toml --accuracy 1%").unwrap().accuracy, Some(0.01));
+        assert_eq!(parse("sph-mpi --keys").unwrap().keys.as_deref(), Some(""));
+        assert_eq!(parse("sph-mpi --keys body.shape").unwrap().keys.as_deref(), Some("body.shape"));
+        assert_eq!(parse("sph-mpi --schema").unwrap().schema.as_deref(), Some("scene"));
         for bad in [
             "sph-mpi",
             "sph-mpi a --threads 0",
@@ -131,6 +153,8 @@ mod tests {
             "sph-mpi a --check --latency 1e-6",
             "sph-mpi a --check --latency 1e-6 --bandwidth 0",
             "sph-mpi a b",
+            "sph-mpi a --keys",
+            "sph-mpi --keys body --check",
             "sph-mpi a --accuracy good",
             "sph-mpi a --accuracy 0%",
             "sph-mpi a --task 0",

@@ -13,7 +13,7 @@ use crate::math::lanes::Lanes;
 pub const SUPPORT: f64 = 2.0;
 
 /// Kernel of a scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Kernel {
     #[default]

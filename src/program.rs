@@ -20,7 +20,7 @@ use crate::scene::source::SourceText;
 use crate::scene::{self, Scene, input};
 use crate::simulation::{self, Ended, Options};
 use crate::step::workers;
-use crate::study::{self, Part, Sources, Study, points, stored};
+use crate::study::{self, Part, Sources, Study, keys, points, stored};
 use crate::threshold::search;
 
 /// Exit codes beside 0.
@@ -36,6 +36,7 @@ pub fn main() -> i32 {
     let comm = Comm::start();
     let resident_at_start = resources::resident_bytes();
     let code = match Args::try_parse() {
+        Ok(args) if args.keys.is_some() || args.schema.is_some() => explain_keys(&args, &comm),
         Ok(args) => on_all_ranks(&args, resident_at_start, &comm),
         Err(error) => {
             if comm.is_root() {
@@ -49,6 +50,22 @@ pub fn main() -> i32 {
     }
     comm.finish();
     code
+}
+
+/// What may be written in a scene or a study: rank 0 prints what all find.
+fn explain_keys(args: &Args, comm: &Comm) -> i32 {
+    let text = match (&args.keys, &args.schema) {
+        (Some(table), _) => keys::text(table),
+        (None, of) => keys::schema_text(of.as_deref().unwrap_or_default()),
+    };
+    let text = match text {
+        Ok(text) => text,
+        Err(error) => return complain(&error, BAD_INPUT, comm),
+    };
+    match agree(comm, if comm.is_root() { print(&text) } else { Ok(()) }) {
+        Ok(()) => 0,
+        Err(error) => complain(&error, FAILED, comm),
+    }
 }
 
 /// What the command line gets for an answer: in colours, unless it holds what no terminal should get.
@@ -119,8 +136,8 @@ fn read(args: &Args, comm: &Comm) -> Result<Task> {
     type Texts = (Option<(Scene, Option<Accuracy>)>, Option<Sources>);
     let read = || -> Result<Texts> {
         let refused =
-            |what: &str, allowed: &str| Err(Error::new(what).at(args.scene.display().to_string()).allowed(allowed));
-        let source = SourceText::open(&args.scene, &args.overrides)?;
+            |what: &str, allowed: &str| Err(Error::new(what).at(args.scene().display().to_string()).allowed(allowed));
+        let source = SourceText::open(args.scene(), &args.overrides)?;
         if points::is_study(&source) {
             if args.accuracy.is_some() {
                 return refused("--accuracy of a study", "the scene that was studied");
@@ -184,7 +201,7 @@ fn part(args: &Args) -> Part {
 /// A study often has the name of its scene: its folder must not be that of the scene's runs.
 fn usual_directory(args: &Args, task: &Task) -> PathBuf {
     // What comes through a pipe has no name of its own.
-    let name = if input::is_passed_on(&args.scene) { Path::new("stdin") } else { &args.scene };
+    let name = if input::is_passed_on(args.scene()) { Path::new("stdin") } else { args.scene() };
     let directory = directory::default_directory(name);
     match task {
         Task::Scene(..) => directory,

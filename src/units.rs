@@ -2,9 +2,11 @@
 //! or a bare number, which is SI. The dimension is part of the type, so a length given in kilograms is an error that names
 //! what was found and what is wanted. Inside the program everything is SI: `.0` is the number.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, Visitor};
 use serde::ser::{Serialize, Serializer};
 
@@ -387,6 +389,53 @@ impl<const L: i8, const M: i8, const T: i8> Serialize for Quantity<L, M, T> {
 impl Serialize for Angle {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
         serializer.collect_str(self)
+    }
+}
+
+impl Dimension {
+    /// What a scene should write, for editors and for the pages of keys. Stricter than reading, where a bare number is SI: a checker asks
+    /// for the unit, but of zero.
+    fn schema(self) -> Schema {
+        let unit = self.unit();
+        if unit.is_empty() {
+            return json_schema!({ "type": "number" });
+        }
+        json_schema!({
+            "anyOf": [{ "type": "string", "pattern": with_unit() }, { "const": 0 }],
+            "x-quantity": self.name(),
+            "x-unit": unit,
+        })
+    }
+}
+
+/// A number and its unit, as a regular expression.
+fn with_unit() -> String {
+    let names = |prefixed: bool| {
+        let names = UNITS.iter().filter(|unit| unit.takes_prefix == prefixed).map(|unit| unit.name);
+        names.collect::<Vec<_>>().join("|")
+    };
+    let prefixes = PREFIXES.map(|(prefix, _)| prefix).concat();
+    let unit = format!("(?:[{prefixes}]?(?:{})|{}|1)(?:\\^-?[0-9])?", names(true), names(false));
+    format!("^ *[+-]?[0-9_.]+(?:[eE][+-]?[0-9]+)? *{unit}(?: *[ */] *{unit})* *$")
+}
+
+impl<const L: i8, const M: i8, const T: i8> JsonSchema for Quantity<L, M, T> {
+    fn schema_name() -> Cow<'static, str> {
+        Self::DIMENSION.name().into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        Self::DIMENSION.schema()
+    }
+}
+
+impl JsonSchema for Angle {
+    fn schema_name() -> Cow<'static, str> {
+        ANGLE.name().into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        ANGLE.schema()
     }
 }
 

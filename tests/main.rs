@@ -27,6 +27,7 @@ mod hard_rubble;
 mod input;
 mod integrators;
 mod kept_gravity;
+mod keys;
 mod late_stage;
 mod nbody;
 mod output;

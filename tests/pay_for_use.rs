@@ -359,8 +359,8 @@ fn cold_matter_carries_no_energy() {
              [output]\npicture = false\nsnapshots = 1\n"
         )
     };
-    let (_, plan) = parse(&text(""));
-    assert!(plan.registry.find::<f64>("internal_energy").is_none());
+    let (_, planned) = parse(&text(""));
+    assert!(planned.registry.find::<f64>("internal_energy").is_none());
     let (_dir, summary) = run(&text(""), 1, &[]);
     assert!(summary["energy_drift"].is_null(), "{}", summary["energy_drift"]);
     assert!(summary["momentum_drift"].as_f64().is_some_and(|drift| drift < 1e-12), "{}", summary["momentum_drift"]);

@@ -187,7 +187,7 @@ fn accuracy_takes_the_cheapest_point_that_has_it() {
     refused(&[&scene[..], &["5%", "--set", "driven.density=0.25"]].concat(), &says);
     // What the study sets is part of its question, and not put over the scene.
     refused(&["tube.toml", "--accuracy", "5%"], &["has changed", "`run.until` was \"0.06 s\" and now is \"0.2 s\""]);
-    fs::write(dir.path().join("other.toml"), SCENE.replace("density = 0.125", "density = 0.25")).expect("a scene");
+    fs::write(dir.path().join("other.toml"), SCENE.replace("0.125 kg/m^3", "0.25 kg/m^3")).expect("a scene");
     refused(&["other.toml", "--accuracy", "5%"], &["other.toml", "no study of this scene", "inputs/studies/"]);
 }
 

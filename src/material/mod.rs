@@ -22,15 +22,15 @@ pub use setup::{PerBody, Setup, Table};
 
 /// From the one list of material effects follow their modules, the fields of [`MaterialTable`] and [`effects`].
 macro_rules! material_effects {
-    ($($(#[$about:meta])* $module:ident::$effect:ident $({ $field:ident: $table:ty })?;)*) => {
+    ($($(#[$about:meta])* $module:ident::$effect:ident $({ $(#[$key:meta])* $field:ident: $table:ty })?;)*) => {
         $($(#[$about])* pub mod $module;)*
 
         /// A material as a scene describes it: one table per effect, absent where the material does without it.
-        #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+        #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
         #[serde(deny_unknown_fields)]
         pub struct MaterialTable {
-            $($(#[doc = concat!("See [`", stringify!($module), "`].")] pub $field: $table,)?)*
-            /// Coefficients of the artificial viscosity between particles.
+            $($($(#[$key])* pub $field: $table,)?)*
+            /// Artificial viscosity between particles; off with `false`.
             pub viscosity: Option<viscosity::ViscosityTable>,
         }
 
@@ -63,13 +63,25 @@ material_effects! {
     /// Density follows the flow.
     density::Continuity;
     /// Pressure from density and internal energy.
-    eos::EquationOfState { eos: eos::EosTable };
+    eos::EquationOfState {
+        /// Equation of state; keys left out come from the library if the law is the same.
+        eos: eos::EosTable
+    };
     /// Pores below the resolution; sets the pressure of porous bodies.
-    porosity::Porosity { porosity: Option<porosity::PorosityTable> };
+    porosity::Porosity {
+        /// Pores below the resolution.
+        porosity: Option<porosity::PorosityTable>
+    };
     /// Resistance to shear.
-    strength::Strength { strength: Option<strength::StrengthTable> };
+    strength::Strength {
+        /// Resistance to shear.
+        strength: Option<strength::StrengthTable>
+    };
     /// Damage by the growth of flaws.
-    fracture::Fracture { fracture: Option<fracture::FractureTable> };
+    fracture::Fracture {
+        /// Damage by the growth of flaws; needs strength.
+        fracture: Option<fracture::FractureTable>
+    };
     /// The largest values that a particle has seen.
     record::Record;
     /// Smoothing length that follows density.

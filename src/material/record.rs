@@ -11,18 +11,22 @@
 //!
 //! Columns: owns `peak_pressure`, `melt_fraction`, `vapour_fraction`. Time step: none.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Core, Diagnostic, Local, MaterialEffect, MaterialTable, PerBody, Setup, eos};
 use crate::error::{Error, Result};
 use crate::particles::{Column, ColumnInfo, Columns, Life, Registry, View};
 
-/// `[record]`
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+/// The largest values that each particle has seen, as columns of snapshots.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Records {
+    /// Largest pressure.
     pub peak_pressure: bool,
+    /// Largest molten share; needs a material that can vaporise.
     pub melt_fraction: bool,
+    /// Largest vaporised share; needs a material that can vaporise.
     pub vapour_fraction: bool,
 }
 

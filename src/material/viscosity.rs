@@ -6,6 +6,7 @@
 //! this is slower by far: weak waves of compaction then keep their width, which with sound would be many times that. Strong shocks
 //! into highly porous matter need the speed of sound: pumice at 3 km/s is 26 per cent off in pressure without it.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::MaterialTable;
@@ -13,25 +14,26 @@ use super::setup::{Table, none_negative};
 use crate::error::{Error, Result};
 use crate::units::{Number, Quantity};
 
-/// `[material.X.viscosity]`
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// Artificial viscosity between particles.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct ViscosityTable {
     /// Linear in the speed of approach, spreads shocks and damps the noise behind them.
     pub alpha: Number,
     /// Quadratic, keeps particles from passing through each other in strong shocks.
     pub beta: Number,
-    /// What c is.
+    /// The speed that `alpha` multiplies.
     pub speed: ViscousSpeed,
 }
 
 /// The speed that alpha multiplies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ViscousSpeed {
+    /// The speed of sound.
     #[default]
     Sound,
-    /// That of further compression, of porous matter.
+    /// The speed of further compression where pores give way, for weak waves of compaction in porous matter.
     Loading,
 }
 

@@ -7,6 +7,7 @@
 pub mod analysis;
 pub mod check;
 mod combine;
+pub mod keys;
 pub mod limit;
 pub mod measure;
 pub mod order;

@@ -3,52 +3,104 @@
 //! Lists of one key in `[study.vary]` are axes of their own. Lists of one table, `[study.resolution]` or
 //! `[study.together.NAME]`, change together: their first values belong to each other, then their second ones, and so on.
 
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
 use super::measure::{Against, Measure};
 use crate::error::{Error, Result};
-use crate::scene::keys;
 use crate::scene::source::Document;
+use crate::scene::{keys, schema as schemas};
 use crate::units;
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct RawFile {
+struct StudyFile {
+    /// What figures and files call the study.
     #[serde(default)]
     title: String,
-    study: RawStudy,
+    study: StudyTable,
 }
 
-#[derive(Debug, Deserialize)]
+/// A study of another file's scene: error against cost over settings and resolutions.
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct RawStudy {
+struct StudyTable {
+    /// Path of the scene, from the folder of the study's file.
     scene: String,
+    /// What is compared: a key of `errors` in summary.json, or any figure of it (`outcome.unbound_mass`) with `value` or `against`. Not
+    /// needed where the scene has a [threshold].
     error: Option<String>,
+    /// What the figure should be, SI or with a unit.
+    #[schemars(with = "Option<NumberOrText>")]
     value: Option<Value>,
+    /// How well `value` is known, SI or with a unit.
+    #[schemars(with = "Option<NumberOrText>")]
     uncertainty: Option<Value>,
-    against: Option<RawAgainst>,
+    /// What the figure is compared with instead of a `value`; the exact solution without it.
+    against: Option<AgainstWord>,
+    /// Errors for which the cheapest setting is named: `"1 %"`, or a list.
+    #[schemars(with = "Option<NumbersOrTexts>")]
     target: Option<Value>,
+    /// How values combine into settings.
     #[serde(default)]
     combine: Combine,
+    /// Dotted keys of the scene, as after --set, and their values in every run.
     #[serde(default)]
+    #[schemars(with = "Values")]
     set: Table,
+    /// Dotted keys with lists of one length, which change together; the spacing of a body must be among them. One resolution without it.
     #[serde(default)]
+    #[schemars(with = "Values")]
     resolution: Table,
+    /// Dotted keys with lists of values, each on its own; 10 000 runs in all at most.
     #[serde(default)]
+    #[schemars(with = "Values")]
     vary: Table,
+    /// A table for each thing to vary, by its name: dotted keys with lists of one length; `labels = [...]` names its values.
     #[serde(default)]
+    #[schemars(with = "BTreeMap<String, Values>")]
     together: Table,
 }
 
-#[derive(Debug, Deserialize)]
+/// Keys of another file's scene, which that file's schema knows.
+type Values = BTreeMap<String, serde_json::Value>;
+
+/// A number as a study writes it.
+#[derive(JsonSchema)]
+#[serde(untagged)]
+#[expect(dead_code, reason = "only described: values are read with their place")]
+enum NumberOrText {
+    Number(f64),
+    Text(String),
+}
+
+/// One or several of them.
+#[derive(JsonSchema)]
+#[serde(untagged)]
+#[expect(dead_code, reason = "only described: values are read with their place")]
+enum NumbersOrTexts {
+    Number(f64),
+    Text(String),
+    List(Vec<NumberOrText>),
+}
+
+/// The schema of a study's file.
+pub fn schema() -> serde_json::Value {
+    schemas::json::of::<StudyFile>("A study of sph-mpi")
+}
+
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-enum RawAgainst {
+enum AgainstWord {
+    /// The run of the smallest spacing.
     Finest,
 }
 
 /// How axes combine into settings; each setting is run at every resolution.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Combine {
     /// Each value of an axis with each of the others.
@@ -104,7 +156,7 @@ pub struct Settings {
 
 impl Settings {
     pub fn read(document: &Document) -> Result<Self> {
-        let raw: RawFile = keys::deserialize(document)?;
+        let raw: StudyFile = keys::deserialize(document)?;
         let study = raw.study;
         let mut resolution = together(document, "study.resolution", &study.resolution)?;
         if resolution.values.is_empty() {
@@ -223,7 +275,7 @@ fn together(document: &Document, path: &str, table: &Table) -> Result<Axis> {
 /// What a search finds, which no error is needed for.
 const THRESHOLD: &str = "threshold.q_star_d";
 
-fn measure(document: &Document, study: &RawStudy) -> Result<Measure> {
+fn measure(document: &Document, study: &StudyTable) -> Result<Measure> {
     let figure = match study.error.as_deref() {
         None => THRESHOLD.to_string(),
         Some(error) if error.contains('.') => error.to_string(),
@@ -244,7 +296,7 @@ fn measure(document: &Document, study: &RawStudy) -> Result<Measure> {
             return Err(document.error("study.value", "errors are relative, and none is to zero").allowed("not 0"));
         }
         (Some(value), None) => Against::Value { value, uncertainty: uncertainty.unwrap_or(0.0).abs() },
-        (None, Some(RawAgainst::Finest)) => Against::Finest,
+        (None, Some(AgainstWord::Finest)) => Against::Finest,
         (None, None) if figure.starts_with("errors.") => Against::Exact,
         (None, None) if figure.starts_with("threshold.") => Against::Nothing,
         (None, None) => {

@@ -3,17 +3,18 @@
 //! rho density, kg/m^3; u specific internal energy, J/kg; gamma ratio of heats.
 //! An energy below zero, which only rounding can cause, gives P = 0 and c = 0.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Slopes;
 use crate::error::{Error, Result};
 use crate::units::Number;
 
-/// `eos = { ideal_gas = { gamma = 1.4 } }`
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// Ideal gas, P = (gamma - 1) rho E.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct IdealGasTable {
-    /// Ratio of heats, above 1.
+    /// Ratio of the specific heats, above 1.
     pub gamma: Number,
 }
 

@@ -12,6 +12,7 @@ pub mod murnaghan;
 pub mod simplified_tillotson;
 pub mod tillotson;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Core, Late, Local, MaterialEffect, MaterialTable, PerBody, Setup, Table};
@@ -25,12 +26,15 @@ use tillotson::{Tillotson, TillotsonTable};
 /// Name of the column that this effect owns.
 pub const INTERNAL_ENERGY: &str = "internal_energy";
 
-/// `eos = { tillotson = { ... } }` or `eos = { ideal_gas = { ... } }`
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// Equation of state: a table with one key, the law.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum EosTable {
+    /// Tillotson's equation of state.
     Tillotson(TillotsonTable),
+    /// P = c rho E + A mu.
     SimplifiedTillotson(SimplifiedTillotsonTable),
+    /// P = (gamma - 1) rho E.
     IdealGas(IdealGasTable),
     Murnaghan(MurnaghanTable),
 }

@@ -6,6 +6,7 @@
 //! P pressure, K_0 bulk modulus, Pa; rho density, rho_0 reference density, kg/m^3; n rise of the bulk modulus with pressure. Tension
 //! fades as for Tillotson's law, and c^2 >= K_0 / (4 rho_0). Heat presses nothing, so that no internal energy is needed.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::super::setup::all_positive;
@@ -13,8 +14,8 @@ use super::{Slopes, bounded_sound, fading};
 use crate::error::Result;
 use crate::units::{Density, Number, Pressure};
 
-/// `eos = { murnaghan = { ... } }`
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// Murnaghan's law, which heat does not enter: P = K_0 / n [ (rho / rho_0)^n - 1 ].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MurnaghanTable {
     /// Density without load.

@@ -4,6 +4,7 @@
 //! P pressure, A bulk modulus, Pa; rho density, rho_0 reference density, kg/m^3; u specific internal energy, J/kg; c = a + b of
 //! the full law. Tension fades as there, and c^2 >= A / (4 rho_0).
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::super::setup::all_positive;
@@ -11,12 +12,15 @@ use super::{Slopes, bounded_sound, fading};
 use crate::error::Result;
 use crate::units::{Density, Number, Pressure};
 
-/// `eos = { simplified_tillotson = { ... } }`
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// P = c rho E + A mu, mu = rho / rho_0 - 1.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SimplifiedTillotsonTable {
+    /// Density without load.
     pub rho_0: Density,
+    /// Pressure by heat over energy density.
     pub c: Number,
+    /// Bulk modulus.
     #[serde(rename = "A")]
     pub modulus: Pressure,
 }

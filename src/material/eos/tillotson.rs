@@ -16,6 +16,7 @@
 //! - Tension fades (see [`super::fading`]): the formula pulls harder and harder down to eta = 0.5 (with A/4); a solid does not.
 //! - c^2 >= A / (4 rho_0), as c^2 < 0 in half of the expanded states.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::super::setup::{all_positive, none_negative};
@@ -26,24 +27,34 @@ use crate::units::{Density, Number, Pressure, SpecificEnergy};
 /// Smallest rho / rho_0 that enters the formulas, so that none of them overflows.
 const LOWEST_ETA: f64 = 1e-8;
 
-/// `eos = { tillotson = { ... } }`, with the letters of the literature.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// Tillotson's equation of state, with the letters of the literature.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TillotsonTable {
+    /// Density without load.
     pub rho_0: Density,
+    /// a: share of the heat in the pressure, at any density.
     pub a: Number,
+    /// b: further share of the heat, which fades with energy.
     pub b: Number,
+    /// A: bulk modulus.
     #[serde(rename = "A")]
     pub modulus_a: Pressure,
+    /// B: term of second order in the compression.
     #[serde(rename = "B")]
     pub modulus_b: Pressure,
+    /// E_0: energy by which b fades.
     #[serde(rename = "E_0")]
     pub e_0: SpecificEnergy,
+    /// E_iv: energy of incipient vaporisation.
     #[serde(rename = "E_iv")]
     pub e_iv: SpecificEnergy,
+    /// E_cv: energy of complete vaporisation.
     #[serde(rename = "E_cv")]
     pub e_cv: SpecificEnergy,
+    /// alpha: decay of the thermal pressure in expansion.
     pub alpha: Number,
+    /// beta: decay of the cold pressure in expansion.
     pub beta: Number,
 }
 

@@ -22,6 +22,7 @@
 
 pub mod flaws;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::damage::damage_column;
@@ -36,21 +37,25 @@ use flaws::Flaws;
 /// Crack speed over the longitudinal speed of sound.
 const CRACK_SPEED: f64 = 0.4;
 
-/// `[material.X.fracture]`
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// Damage by the growth of flaws; needs strength.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FractureTable {
+    /// The model.
     pub model: FractureModel,
-    /// Chooses the flaws.
+    /// Another seed gives other flaws.
     #[serde(default = "first_seed")]
     pub seed: u64,
+    /// k of Weibull's law n = k eps^m, the number density of flaws that are active at a strain eps.
     pub weibull_k: NumberDensity,
+    /// m of Weibull's law.
     pub weibull_m: Number,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum FractureModel {
+    /// Flaws grow at a share of the speed of sound once they are active.
     GradyKipp,
 }
 

@@ -11,43 +11,54 @@
 //! A body with another distention than its material's takes the curve scaled: alpha - 1 by (alpha_0 - 1) over that of the
 //! material.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result};
 use crate::material::setup::all_positive;
 use crate::units::{Number, Pressure};
 
-/// `quadratic = { P_e, P_s }`
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// A quadratic crush curve from P_e to P_s.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct QuadraticTable {
+    /// Pressure at which pores begin to crush.
     #[serde(rename = "P_e")]
     pub p_e: Pressure,
+    /// Pressure from which on no pores are left.
     #[serde(rename = "P_s")]
     pub p_s: Pressure,
 }
 
-/// `two_slope = { P_e, P_t, P_s, alpha_t, n_1, n_2 }`
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// A crush curve of two slopes, each a power.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TwoSlopeTable {
+    /// Pressure at which pores begin to crush.
     #[serde(rename = "P_e")]
     pub p_e: Pressure,
+    /// Pressure at which the first slope ends.
     #[serde(rename = "P_t")]
     pub p_t: Pressure,
+    /// Pressure from which on no pores are left.
     #[serde(rename = "P_s")]
     pub p_s: Pressure,
+    /// Distention that the second slope alone would have where pores begin to crush.
     pub alpha_t: Number,
+    /// Power of the first slope.
     pub n_1: Number,
+    /// Power of the second slope.
     pub n_2: Number,
 }
 
-/// `measured = { pressure = ["1 MPa", ...], distention = [4.64, ..., 1] }`, or `{ file = "curve.csv" }` with these two columns,
-/// which is read into the scene.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// A measured crush curve, `{ pressure = ["1 MPa", ...], distention = [4.64, ..., 1] }`, or `{ file = "curve.csv" }` with these two
+/// columns (in Pa), which is read into the scene.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeasuredTable {
+    /// Pressures, from the lowest on.
     pub pressure: Vec<Pressure>,
+    /// Distention at each pressure, down to 1.
     pub distention: Vec<Number>,
 }
 

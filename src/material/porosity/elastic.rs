@@ -15,17 +15,20 @@
 //! ```
 //! Under tension pores keep the distention they have without load.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result};
 use crate::material::setup::all_positive;
 use crate::units::Speed;
 
-/// `elastic = { c_e, c_0 }`
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// Pores give way and come back below P_e.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ElasticTable {
+    /// Speed of sound of the porous body where pores begin to crush.
     pub c_e: Speed,
+    /// Speed of sound of the matrix.
     pub c_0: Speed,
 }
 

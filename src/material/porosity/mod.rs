@@ -25,6 +25,7 @@ pub mod strain_law;
 #[cfg(test)]
 pub mod testing;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::setup::Table;
@@ -46,24 +47,31 @@ pub const COMPACTION_DAMAGE: &str = "compaction_damage";
 /// Largest change of alpha in a step, over alpha_0 - 1.
 const LARGEST_CHANGE: f64 = 0.2;
 
-/// `[material.X.porosity]`
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// Pores below the resolution: the distention, and one of the three laws.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PorosityTable {
-    /// alpha_0 of bodies that do not say.
+    /// Distention of bodies that have none of their own: density of the matrix over that of the body.
     pub distention: Number,
+    /// Distention follows pressure.
     pub p_alpha: Option<PressureTable>,
+    /// Distention follows density: the same curves, entered with the pressure of cold matter.
     pub rho_alpha: Option<PressureTable>,
+    /// Distention follows strain.
     pub epsilon_alpha: Option<StrainTable>,
 }
 
-/// `porosity.p_alpha`, `porosity.rho_alpha`: a crush curve, and for P-alpha an elastic branch below it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// One crush curve, and for P-alpha an elastic branch below it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PressureTable {
+    /// A quadratic curve; one of three.
     pub quadratic: Option<QuadraticTable>,
+    /// A curve of two powers; one of three.
     pub two_slope: Option<TwoSlopeTable>,
+    /// A measured curve; one of three.
     pub measured: Option<MeasuredTable>,
+    /// Pores below P_e give way and come back, in P-alpha; they are rigid without it.
     pub elastic: Option<ElasticTable>,
 }
 

@@ -11,22 +11,25 @@
 //! matrix keeps its density. alpha_X begins the power law, which goes on without a kink; without it the exponential goes down
 //! to 1.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result};
 use crate::material::setup::{all_positive, none_negative};
 use crate::units::{Number, Pressure};
 
-/// `epsilon_alpha = { kappa, P_e or elastic_strain, alpha_X }`
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// Distention falls exponentially with strain, then by a power law.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StrainTable {
+    /// Rate of the exponential, more than 0 and at most 1.
     pub kappa: Number,
-    /// Pressure of the cold body at eps_e.
+    /// Pressure of the cold body where it begins; this or `elastic_strain`.
     #[serde(rename = "P_e")]
     pub p_e: Option<Pressure>,
-    /// -eps_e
+    /// Compressive volumetric strain where it begins; this or `P_e`.
     pub elastic_strain: Option<Number>,
+    /// Distention where the power law takes over.
     #[serde(rename = "alpha_X")]
     pub alpha_x: Option<Number>,
 }

@@ -26,6 +26,7 @@
 
 mod yield_law;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::damage::damage_column;
@@ -46,24 +47,27 @@ pub const DEVIATORIC_STRESS: &str = "deviatoric_stress";
 /// spray.
 const LARGEST_VOLUME: f64 = 2.0;
 
-/// `[material.X.strength]`
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// Resistance to shear: von Mises' law, sqrt(3 J2) up to the yield strength at any pressure, unless a table of friction is there.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StrengthTable {
+    /// Shear modulus.
     pub shear_modulus: Pressure,
-    /// Largest strength of cold matter at any pressure; with von Mises' law the only one, of sqrt(3 J2).
+    /// Largest strength of cold matter at any pressure: of sqrt(3 J2) in von Mises' law, of sqrt(J2) with friction.
     pub yield_strength: Pressure,
+    /// Heat weakens.
     pub melting: Option<MeltingTable>,
-    /// Friction of rock; von Mises' law where neither this nor the next is there.
+    /// Friction of rock, intact to broken; this or `drucker_prager`.
     pub collins: Option<CollinsTable>,
+    /// Friction of granular matter; this or `collins`.
     pub drucker_prager: Option<DruckerPragerTable>,
 }
 
-/// `[material.X.strength.melting]`: heat weakens.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// Heat weakens.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeltingTable {
-    /// u_melt, at which no strength is left.
+    /// Specific internal energy at which no strength is left.
     pub energy: SpecificEnergy,
 }
 

@@ -17,6 +17,7 @@
 //! at P = -Y_c / mu_d (broken matter without cohesion bears none). Y of a porous body takes the pressure of the body, not of
 //! its matrix, and does not depend on alpha.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::super::setup::{all_positive, none_negative};
@@ -25,25 +26,27 @@ use crate::error::{Error, Result};
 use crate::math::Deviator;
 use crate::units::{Number, Pressure};
 
-/// `[material.X.strength.collins]`: rock, intact to broken.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// Rock with friction, sqrt(J2) up to Y(P, D); damage acts on shear through Y alone.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CollinsTable {
     /// Y_0: sqrt(J2) that intact cold matter bears without pressure.
     pub cohesion: Pressure,
-    /// mu_i, of intact matter.
+    /// mu_i: coefficient of friction of intact rock.
     pub internal_friction: Number,
-    /// mu_d, of broken matter.
+    /// mu_d: coefficient of friction of broken rock.
     pub friction: Number,
-    /// Y_c, of broken matter.
+    /// Y_c: cohesion of broken rock.
     pub damaged_cohesion: Pressure,
 }
 
-/// `[material.X.strength.drucker_prager]`: granular matter.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// Granular matter, sqrt(J2) up to cohesion + friction P, at most the yield strength.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DruckerPragerTable {
+    /// Strength without pressure.
     pub cohesion: Pressure,
+    /// Coefficient of friction.
     pub friction: Number,
 }
 

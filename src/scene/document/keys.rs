@@ -66,9 +66,14 @@ fn explain(document: &Document, path: &str, message: &str) -> Error {
         }
         return document.error(path, what);
     }
+    // The names of types say nothing to who writes a scene.
+    let message = match message.split_once(", expected struct ") {
+        Some((what, _)) => format!("{what}, expected a table"),
+        None => message,
+    };
     match message.split_once(" (allowed: ") {
         Some((what, allowed)) => document.error(path, what).allowed(allowed.strip_suffix(')').unwrap_or(allowed)),
-        None => document.error(path, message),
+        None => document.error(path, message.as_str()),
     }
 }
 

@@ -4,6 +4,7 @@
 //! Hexagonal close packing: rows `d` apart along x, sqrt(3)/2 d between rows, sqrt(2/3) d between layers, layers
 //! alternating A B; twelve neighbours at distance d. In 2D it is one layer: the hexagonal lattice with six.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result};
@@ -11,14 +12,16 @@ use crate::particles::ParticleId;
 use crate::random::uniform_pair;
 
 /// Regular arrangements of particles.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, Default, JsonSchema)]
 pub enum LatticeKind {
     /// Hexagonal close packing; hexagonal in 2D.
     #[default]
     #[serde(rename = "hcp", alias = "hexagonal")]
+    #[schemars(extend("x-alias" = "hexagonal"))]
     ClosePacked,
     /// Simple cubic; square in 2D.
     #[serde(rename = "cubic", alias = "square")]
+    #[schemars(extend("x-alias" = "square"))]
     Cubic,
 }
 

@@ -2,7 +2,7 @@
 //! [`super::validate`] says why.
 
 use super::bodies::BodyContext;
-use super::tables::SceneTables;
+use super::tables::{DIMENSIONS, SceneTables};
 use crate::material::MaterialTable;
 use crate::scene::document::source::Document;
 use crate::scene::tables::body::table::BodyTable;
@@ -43,7 +43,9 @@ fn contrast(bodies: &[BodyTable]) -> f64 {
 fn refined(document: &Document, tables: &SceneTables) -> Option<RefineTable> {
     let impact = tables.impact.as_ref()?;
     let refine = impact.refinement().filter(|refine| !refine.is_complete())?;
-    if !matches!(tables.dimension, 2 | 3) || tables.material.values().any(|material| material.validate("").is_err()) {
+    if !DIMENSIONS.contains(&tables.dimension)
+        || tables.material.values().any(|material| material.validate("").is_err())
+    {
         return None;
     }
     let impact = impact.validate(document, &tables.body_names()).ok()?;

@@ -6,5 +6,5 @@ mod complete;
 mod curves;
 mod library;
 pub mod read;
-mod tables;
+pub mod tables;
 mod validate;

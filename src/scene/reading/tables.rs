@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::material::{MaterialTable, Records};
@@ -20,8 +21,11 @@ use crate::scene::tables::regions::layer::LayerTable;
 use crate::scene::tables::regions::probe::ProbeTable;
 use crate::scene::tables::run::RunTable;
 
+/// The dimensions that a scene may have.
+pub const DIMENSIONS: [u8; 2] = [2, 3];
+
 /// A scene.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SceneTables {
     /// What figures and files call the scene.
@@ -29,6 +33,7 @@ pub struct SceneTables {
     pub title: String,
     /// 3, or 2: plane strain, masses per metre of depth, vectors of two components.
     #[serde(default = "three")]
+    #[schemars(extend("enum" = DIMENSIONS))]
     pub dimension: u8,
     /// One table per body.
     #[serde(default)]

@@ -2,7 +2,7 @@
 
 use super::bodies::BodyContext;
 use super::checks::{self, Space};
-use super::tables::SceneTables;
+use super::tables::{DIMENSIONS, SceneTables};
 use crate::error::{Error, Result};
 use crate::material::MaterialTable;
 use crate::scene::document::source::{Document, SourceText};
@@ -14,7 +14,7 @@ use crate::scene::validated::Scene;
 /// Checks everything that a single key cannot show.
 pub fn validate(document: &Document, tables: &SceneTables) -> Result<Scene> {
     let dimension = tables.dimension as usize;
-    if dimension != 2 && dimension != 3 {
+    if !DIMENSIONS.contains(&tables.dimension) {
         return Err(document.error("dimension", format!("{dimension} dimensions")).allowed("2 or 3"));
     }
     checks::check_names(document, tables)?;

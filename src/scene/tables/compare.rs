@@ -1,5 +1,6 @@
 //! `[compare]`: the exact solution that a scene is compared with. Its parameters are those of the scene.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
@@ -9,7 +10,7 @@ use crate::scene::values::checks::POSITIVE;
 use crate::units::{Length, Time};
 
 /// The exact solution that the scene is compared with at its end; its parameters are those of the scene.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CompareTable {
     /// The solution.
@@ -17,13 +18,14 @@ pub struct CompareTable {
     /// Stretch of the solution's coordinate (x, or the distance from the centre) that counts; everything without it.
     within: Option<Interval>,
     /// Only what is this near to the coordinate's axis counts, for `"piston"`; everything without it.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     core: Option<Length>,
     /// When speeds begin to count, for `"rest"`; from the start without it.
     after: Option<Time>,
 }
 
 /// The solutions there are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Solution {
     /// Two bodies of the same ideal gas that touch in a plane across x.

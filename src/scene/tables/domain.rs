@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result};
@@ -10,7 +11,7 @@ use crate::scene::document::source::Document;
 use crate::scene::values::axis::{CoordinateAxis, Interval, interval};
 
 /// Where space closes on itself.
-#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct DomainTable {
     /// Axes along which space closes on itself, each with its ends: `{ x = ["0 m", "1 km"] }`. Boxes that fill a period get whole rows

@@ -1,6 +1,7 @@
 //! `[gravity]`: an acceleration that is the same everywhere, as in a laboratory or on the ground, and what particles do to each
 //! other.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
@@ -12,24 +13,26 @@ use crate::scene::values::switch::Switch;
 use crate::units::{Acceleration, Number};
 
 /// What attracts: `uniform`, `self`, or both.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GravityTable {
     /// The same acceleration for all, `["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]`; along a periodic axis, too, where matter that falls comes
     /// round again. None without it.
     uniform: Option<Components<Acceleration>>,
     /// Gravity of the particles on each other, in three dimensions and open space.
-    #[serde(rename = "self", default = "Switch::off")]
+    #[serde(rename = "self", default = "Switch::<SelfGravityTable>::off")]
     own: Switch<SelfGravityTable>,
 }
 
 /// Gravity of the particles on each other.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 struct SelfGravityTable {
     /// Error that the expansion of one cell may add to an acceleration, as a share of it.
+    #[schemars(range(min = ACCURACY[0], max = ACCURACY[1]))]
     accuracy: Number,
     /// Time from one evaluation to the next, in free-fall times of the densest body; 0 for every step.
+    #[schemars(range(min = INTERVAL[0], max = INTERVAL[1]))]
     interval: Number,
 }
 

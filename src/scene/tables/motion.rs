@@ -1,5 +1,6 @@
 //! `motion` of a body or a layer: how it moves whatever the forces.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
@@ -10,7 +11,7 @@ use crate::scene::values::components::Components;
 use crate::units::{Speed, Time};
 
 /// How something moves: `"fixed"`, or a table with one key.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum MotionTable {
     /// At rest, whatever the forces.

@@ -1,8 +1,10 @@
 //! `[numerics]`: how the sums are made. Every key has a default; what costs something is off until asked for.
 
+use std::borrow::Cow;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::error::Result;
@@ -13,17 +15,21 @@ use crate::scene::values::switch::Switch;
 use crate::units::Number;
 
 /// How the sums over particles are made, and how long a step is.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct NumericsTable {
     /// Kernel; all end at 2h.
     kernel: Kernel,
     /// Courant number C. A step is short enough for sound, for approaching neighbours, and for matter that is not in touch yet: nothing
     /// comes by more than C h into the support of other matter before its forces are known.
+    #[schemars(range(min = CFL[0], max = CFL[1]))]
     cfl: Number,
     /// Margin of neighbour lists, in units of the support.
+    #[schemars(range(min = SKIN[0], max = SKIN[1]))]
     skin: Number,
-    /// h over (m / rho)^(1/d); 1.2 without it.
+    /// Smoothing length h over (m / rho)^(1/d).
+    #[schemars(range(min = ETA[0], max = ETA[1]))]
+    #[schemars(extend("default" = DEFAULT_ETA))]
     eta: Option<Number>,
     /// Instead of `eta`: how many particles even matter has inside the support, V_d (2 eta)^d - 1. For an eta of 1.2 these are 57 in 3D,
     /// 17 in 2D.
@@ -50,7 +56,7 @@ pub struct NumericsTable {
 }
 
 /// `"predictor_corrector"`, or a table.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum IntegratorTable {
     /// Second order, one evaluation per step.
@@ -61,7 +67,7 @@ pub enum IntegratorTable {
 }
 
 /// What the error control of `runge_kutta` tolerates.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct RungeKuttaTable {
     /// Error of a step: of velocities over the largest relative velocity, of densities over themselves.
@@ -130,10 +136,11 @@ fn number_of_neighbours(dimension: usize) -> RangeInclusive<f64> {
 }
 
 /// A repulsion against clumping in tension.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct ArtificialStressTable {
     /// Repulsion over the tension.
+    #[schemars(range(min = FACTOR[0], max = FACTOR[1]))]
     factor: Number,
 }
 
@@ -148,20 +155,22 @@ impl Default for ArtificialStressTable {
 pub struct SmoothingLengthValue(Option<FollowingTable>);
 
 /// A smoothing length that changes with the particle, within bounds in units of the first h.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct FollowingTable {
     /// What it follows.
     follows: Followed,
     /// Least h.
     #[serde(default = "half")]
+    #[schemars(range(min = SMALLEST[0], max = SMALLEST[1]))]
     smallest: Number,
     /// Largest h.
     #[serde(default = "two")]
+    #[schemars(range(min = LARGEST[0], max = LARGEST[1]))]
     largest: Number,
 }
 
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 enum Followed {
     /// h = h_0 (rho_0 / rho)^(1/d).
@@ -176,11 +185,24 @@ fn two() -> Number {
     Number::new(2.0)
 }
 
+impl JsonSchema for SmoothingLengthValue {
+    fn schema_name() -> Cow<'static, str> {
+        "SmoothingLengthValue".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "anyOf": [{ "const": CONSTANT }, generator.subschema_for::<FollowingTable>()] })
+    }
+}
+
+/// The word for a smoothing length that stays as it is.
+const CONSTANT: &str = "constant";
+
 impl Serialize for SmoothingLengthValue {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
         match &self.0 {
             Some(follows) => follows.serialize(serializer),
-            None => serializer.serialize_str("constant"),
+            None => serializer.serialize_str(CONSTANT),
         }
     }
 }
@@ -195,7 +217,7 @@ impl<'de> Deserialize<'de> for SmoothingLengthValue {
             }
             fn visit_str<E: serde::de::Error>(self, word: &str) -> std::result::Result<Self::Value, E> {
                 match word {
-                    "constant" => Ok(SmoothingLengthValue(None)),
+                    CONSTANT => Ok(SmoothingLengthValue(None)),
                     _ => Err(E::invalid_value(serde::de::Unexpected::Str(word), &self)),
                 }
             }

@@ -2,39 +2,54 @@
 
 use std::collections::BTreeMap;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::run::{RunSettings, Until};
 use crate::error::Result;
 use crate::scene::document::source::Document;
-use crate::scene::values::checks::positive;
+use crate::scene::values::checks::{POSITIVE, positive};
 use crate::units::Time;
 
 /// What a run writes.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct OutputTable {
     /// How many snapshots over the whole run: the first at the start, the last at the end, a single one at the end; this or `every`. None
     /// without either.
     snapshots: Option<u32>,
     /// Simulated time between snapshots; this or `snapshots`.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     every: Option<Time>,
     /// Width of the floating-point numbers in snapshots.
     precision: Precision,
     /// gzip level of snapshots, 0 for none.
+    #[schemars(range(max = MOST_COMPRESSED))]
     compression: u8,
     /// Steps between rows of history.csv.
+    #[schemars(range(min = FEWEST_STEPS))]
     history_every: u64,
     /// Whether to draw the outcome.
     picture: bool,
     /// What MPI is told when it opens a file, `{ striping_factor = 8, cb_nodes = 4 }`; may change at a restart. Counts (`cb_nodes`,
     /// `striping_factor`, ...) from 1 on.
+    #[schemars(with = "BTreeMap<String, Hint>")]
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     mpi_io_hints: BTreeMap<String, toml::Value>,
 }
 
+/// A hint as the schema knows it.
+#[derive(JsonSchema)]
+#[serde(untagged)]
+#[expect(dead_code, reason = "read as a value, to quote it in messages")]
+enum Hint {
+    Text(String),
+    Count(i64),
+    Switch(bool),
+}
+
 const MOST_COMPRESSED: u8 = 9;
-const FROM_ONE: &str = "1 or more";
+const FEWEST_STEPS: u64 = 1;
 
 impl Default for OutputTable {
     fn default() -> Self {
@@ -51,7 +66,7 @@ impl Default for OutputTable {
 }
 
 /// Width of the floating-point numbers in snapshots.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Precision {
     /// Half the size.
@@ -92,8 +107,10 @@ impl OutputTable {
             let what = format!("{} is no compression level", self.compression);
             return Err(document.error("output.compression", what).allowed(format!("0 to {MOST_COMPRESSED}")));
         }
-        if self.history_every == 0 {
-            return Err(document.error("output.history_every", "0 steps between lines").allowed(FROM_ONE));
+        if self.history_every < FEWEST_STEPS {
+            return Err(document
+                .error("output.history_every", "0 steps between lines")
+                .allowed(format!("{FEWEST_STEPS} or more")));
         }
         let mpi_io_hints = self.hints(document)?;
         let Self { precision, compression, history_every, picture, .. } = *self;

@@ -1,25 +1,29 @@
 //! `[run]`: how long to run, and how often to save.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::error::Result;
 use crate::scene::document::source::Document;
-use crate::scene::values::checks::positive;
-use crate::scene::values::word::{self, word_or};
+use crate::scene::values::checks::{POSITIVE, positive};
+use crate::scene::values::word::{self, word_or, word_schema};
 use crate::units::Time;
 
 /// How long to run, and how often to save.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct RunTable {
     /// When the run ends: a time, or `"settled"`, for impacts, whose default it is; with `gravity.self` it goes on until the largest
     /// remnant stays as it is. Other scenes require a time.
+    #[schemars(extend("x-default" = "\"settled\" for impacts"))]
     until: Option<UntilValue>,
     /// Largest number of steps, where that comes first; no limit without it.
     steps: Option<u64>,
     /// Wall time between checkpoints.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     checkpoint_every: Time,
     /// Simulated time at which a run ends even where it has not settled; no limit without it.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     max_time: Option<Time>,
 }
 
@@ -61,6 +65,8 @@ impl Serialize for UntilValue {
         word::serialize(given, Self::WORD, serializer)
     }
 }
+
+word_schema!(UntilValue, Time);
 
 impl<'de> Deserialize<'de> for UntilValue {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {

@@ -1,5 +1,6 @@
 //! Coordinate axes and stretches of them.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
@@ -7,7 +8,7 @@ use crate::scene::document::source::Document;
 use crate::units::Length;
 
 /// A coordinate axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum CoordinateAxis {
     X,

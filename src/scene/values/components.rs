@@ -1,8 +1,10 @@
 //! Vectors: a list with one quantity per dimension.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::marker::PhantomData;
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{IntoDeserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -68,5 +70,16 @@ impl<'de, Q: Deserialize<'de>> Deserialize<'de> for Components<Q> {
             }
         }
         deserializer.deserialize_any(OneOrMany(PhantomData))
+    }
+}
+
+impl<Q: JsonSchema> JsonSchema for Components<Q> {
+    fn schema_name() -> Cow<'static, str> {
+        format!("Components_{}", Q::schema_name()).into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let component = generator.subschema_for::<Q>();
+        json_schema!({ "anyOf": [{ "type": "array", "items": component }, component] })
     }
 }

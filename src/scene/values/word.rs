@@ -3,6 +3,7 @@
 use std::fmt;
 use std::marker::PhantomData;
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{IntoDeserializer, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -47,3 +48,24 @@ pub fn serialize<S: Serializer, Q: Serialize>(
         Some(quantity) => quantity.serialize(serializer),
     }
 }
+
+/// What [`word_or`] accepts.
+pub fn schema<Q: JsonSchema>(generator: &mut SchemaGenerator, word: &'static str) -> Schema {
+    json_schema!({ "anyOf": [{ "const": word }, generator.subschema_for::<Q>()] })
+}
+
+/// The schema of a type that reads a word of its own or a quantity.
+macro_rules! word_schema {
+    ($value:ident, $quantity:ty) => {
+        impl schemars::JsonSchema for $value {
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                stringify!($value).into()
+            }
+
+            fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                $crate::scene::values::word::schema::<$quantity>(generator, Self::WORD)
+            }
+        }
+    };
+}
+pub(in crate::scene) use word_schema;

@@ -1,19 +1,22 @@
 //! `blast` of a body: heat in its middle at the start.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
 use crate::scene::document::source::Document;
-use crate::scene::values::checks::positive;
+use crate::scene::values::checks::{POSITIVE, positive};
 use crate::units::{Energy, Length};
 
 /// Heat in the middle at the start, spread like the cubic spline; the sum is exact.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BlastTable {
     /// Internal energy in all (in 2D per metre of depth).
+    #[schemars(extend("x-allowed" = POSITIVE))]
     energy: Energy,
     /// Distance from the centre at which nothing of it is left.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     radius: Length,
 }
 

@@ -1,5 +1,6 @@
 //! Bodies of blocks: `rubble`, a pile of spheres, and `joints`, rock that is parted into blocks.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
@@ -9,16 +10,18 @@ use crate::scene::geometry::rubble::{Packing, Rubble};
 use crate::scene::geometry::shape::BodyShape;
 use crate::units::{Length, Number};
 
+const VOIDS: &str = "a share from 0 to below 1";
 const BLOCKS: [u64; 2] = [2, 100_000];
 
 /// A pile of spheres (in 2D discs) that do not overlap, most of which touch another. Where the material has fracture, blocks are broken
 /// within a spacing of their surface and do not stick together.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RubbleTable {
     /// Smallest and largest radius of a block: `["20 m", "200 m"]`.
     radius: [Length; 2],
     /// Largest share of the shape's volume that is left empty between blocks.
+    #[schemars(extend("x-allowed" = VOIDS))]
     voids: Number,
     /// Another seed gives another pile.
     #[serde(default = "first_seed")]
@@ -26,10 +29,11 @@ pub struct RubbleTable {
 }
 
 /// Fracture before the start: random blocks (Voronoi cells), broken within a spacing of a face between two.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JointsTable {
     /// Number of blocks.
+    #[schemars(range(min = BLOCKS[0], max = BLOCKS[1]))]
     blocks: u64,
     /// Another seed gives other blocks.
     #[serde(default = "first_seed")]
@@ -52,7 +56,7 @@ impl RubbleTable {
         let voids = &format!("{path}.voids");
         if !(0.0..1.0).contains(&self.voids.0) {
             let what = format!("voids are {}", self.voids);
-            return Err(document.error(voids, what).allowed("a share from 0 to below 1"));
+            return Err(document.error(voids, what).allowed(VOIDS));
         }
         let packing = Packing { smallest, largest, voids: self.voids.0, seed: self.seed };
         Rubble::pack(shape, dimension, packing).map_err(|full| {

@@ -1,15 +1,17 @@
 //! `flow` of a body: a field of velocity at the start.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
 use crate::scene::document::source::Document;
 use crate::scene::values::axis::CoordinateAxis;
+use crate::scene::values::checks::POSITIVE;
 use crate::scene::values::components::Components;
 use crate::units::{Frequency, Length, Speed};
 
 /// A field of velocity at the start, added to the body's own: a table with one key.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum FlowTable {
     /// Away from the centre with this speed, towards it where it is negative.
@@ -22,7 +24,7 @@ pub enum FlowTable {
     Mode(ModeTable),
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WaveTable {
     /// Axis along which the velocity changes.
@@ -30,12 +32,13 @@ pub struct WaveTable {
     /// Axis along which matter moves.
     moves: CoordinateAxis,
     /// Wavelength.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     wavelength: Length,
     /// Largest speed.
     speed: Speed,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ModeTable {
     /// Shape of the vibration.
@@ -45,7 +48,7 @@ pub struct ModeTable {
 }
 
 /// Shapes of free vibration.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum VibrationMode {
     /// A sphere or disc breathes.

@@ -3,7 +3,7 @@
 use super::blast::Blast;
 use super::filling::Filling;
 use super::flow::Flow;
-use super::table::{BodyTable, Spacing};
+use super::table::{BodyTable, DAMAGE, Spacing};
 use super::validated::Body;
 use crate::error::{Error, Result};
 use crate::material::MaterialTable;
@@ -153,8 +153,9 @@ impl BodyReader<'_> {
     fn damage(&self, raw: &BodyTable, material: &MaterialTable) -> Result<f64> {
         match raw.damage {
             None => Ok(0.0),
-            Some(damage) if !(0.0..=1.0).contains(&damage.0) => {
-                Err(self.error("damage", format!("damage is {damage}")).allowed("0 to 1"))
+            Some(damage) if !(DAMAGE[0]..=DAMAGE[1]).contains(&damage.0) => {
+                let [intact, broken] = DAMAGE;
+                Err(self.error("damage", format!("damage is {damage}")).allowed(format!("{intact} to {broken}")))
             }
             Some(_) if material.eos.law().bulk_modulus().is_none() => {
                 Err(self.error("damage", format!("material `{}` is a gas, which does not break", raw.material)))

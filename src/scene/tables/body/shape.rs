@@ -1,5 +1,6 @@
 //! `shape` of a body.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
@@ -10,11 +11,12 @@ use crate::scene::values::components::Components;
 use crate::units::Length;
 
 /// A table with one key, the kind of shape.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ShapeTable {
     /// A sphere; in 2D a disc, and `disc` is another name.
     #[serde(alias = "disc")]
+    #[schemars(extend("x-alias" = "disc"))]
     Sphere(SphereTable),
     /// A box; in 2D a rectangle.
     Box(BoxTable),
@@ -25,48 +27,55 @@ pub enum ShapeTable {
     /// The lower half of a sphere, its flat face up, as wide as the hollow within `inner` leaves it: shells of other spacings may lie
     /// around each other. In 2D `half_disc` is another name.
     #[serde(alias = "half_disc")]
+    #[schemars(extend("x-alias" = "half_disc"))]
     HalfSphere(HalfSphereTable),
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SphereTable {
     /// Radius.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     radius: Length,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BoxTable {
     /// Edges along x, y and (in 3D) z.
     size: Components<Length>,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CylinderTable {
     /// Radius.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     radius: Length,
     /// Height, along z.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     height: Length,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HeapTable {
     /// Radius of the foot.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     radius: Length,
     /// Radius of the flat top, 0 for a tip.
     #[serde(default)]
     top: Length,
     /// Height, along z (in 2D along y).
+    #[schemars(extend("x-allowed" = POSITIVE))]
     height: Length,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HalfSphereTable {
     /// Radius.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     radius: Length,
     /// Radius of the hollow around the centre.
     #[serde(default)]

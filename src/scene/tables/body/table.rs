@@ -1,5 +1,6 @@
 //! `[[body]]` as it is written, and the defaults that follow from other keys.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::blast::BlastTable;
@@ -9,12 +10,16 @@ use super::shape::ShapeTable;
 use crate::material::MaterialTable;
 use crate::scene::geometry::lattice::LatticeKind;
 use crate::scene::tables::motion::MotionTable;
+use crate::scene::values::checks::{POSITIVE, Range};
 use crate::scene::values::components::Components;
-use crate::scene::values::word::{self, word_or};
+use crate::scene::values::word::{self, word_or, word_schema};
 use crate::units::{Angle, Density, Frequency, Length, Number, Pressure, SpecificEnergy, Speed};
 
+/// Damage of intact and of broken matter.
+pub const DAMAGE: Range = [0.0, 1.0];
+
 /// A body: a shape of one material, filled with particles on a lattice.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BodyTable {
     /// Any name but a table's, without `.` and `=`; `--set NAME.KEY=VALUE` means the body.
@@ -24,11 +29,15 @@ pub struct BodyTable {
     /// A material of the library, or of a table [material.NAME] with an `eos` or a `base`.
     pub material: String,
     /// Number of particles; this or `spacing`. The mass is that of the exact shape in any case.
+    #[schemars(range(min = 1))]
     pub particles: Option<u64>,
     /// Distance of nearest particles. The projectile of an impact may have `"target"`, its default without `particles`: the target's
     /// spacing, or a finer one until the projectile has `least_particles`.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     pub spacing: Option<Spacing>,
-    /// Least number of particles of a projectile with `spacing = "target"`, where the default is 100.
+    /// Least number of particles of a projectile with `spacing = "target"`.
+    #[schemars(range(min = 1))]
+    #[schemars(extend("default" = COARSEST_PROJECTILE))]
     pub least_particles: Option<u64>,
     /// Arrangement of the particles.
     #[serde(default)]
@@ -41,17 +50,25 @@ pub struct BodyTable {
     pub velocity: Option<Components<Speed>>,
     /// Angular velocity about the centre, one number in 2D; none without it.
     pub spin: Option<Components<Frequency>>,
-    /// Damage at the start; 0 without it. It grows with fracture and stays without it. Broken matter does not pull: a liquid or
+    /// Damage at the start. It grows with fracture and stays without it. Broken matter does not pull: a liquid or
     /// strengthless ground should have 1, as otherwise it bears as much tension as the crystal would.
+    #[schemars(range(min = DAMAGE[0], max = DAMAGE[1]))]
+    #[schemars(extend("default" = DAMAGE[0]))]
     pub damage: Option<Number>,
-    /// Distention at the start: density of the matrix over that of the body. Only with porosity, whose own distention is the default; the
-    /// crush curve of the material is scaled to it.
+    /// Distention at the start: density of the matrix over that of the body. Only with porosity; the crush curve of the material
+    /// is scaled to it.
+    #[schemars(range(min = 1))]
+    #[schemars(extend("x-default" = "that of the porosity"))]
     pub distention: Option<Number>,
-    /// Density at the start; without it the material's over the distention. A gas requires it.
+    /// Density at the start. A gas requires it.
+    #[schemars(extend("x-allowed" = POSITIVE))]
+    #[schemars(extend("x-default" = "the material's over the distention"))]
     pub density: Option<Density>,
-    /// Specific internal energy at the start; 0 without it.
+    /// Specific internal energy at the start.
+    #[schemars(extend("default" = SpecificEnergy::default()))]
     pub internal_energy: Option<SpecificEnergy>,
     /// Pressure at the start, of an ideal gas, instead of `internal_energy`.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     pub pressure: Option<Pressure>,
     /// How the whole body moves whatever the forces; freely without it.
     pub motion: Option<MotionTable>,
@@ -69,7 +86,7 @@ pub struct BodyTable {
 }
 
 /// How a body's particles start.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum InitialState {
     /// On the lattice, at the density of the body.
@@ -81,7 +98,7 @@ pub enum InitialState {
 }
 
 /// How a lattice is turned: at random by a `seed`, or about an axis by an angle (in 2D an angle alone).
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OrientationTable {
     /// A random rotation; another seed gives another one.
@@ -112,6 +129,8 @@ impl Serialize for Spacing {
         word::serialize(given, Self::WORD, serializer)
     }
 }
+
+word_schema!(Spacing, Length);
 
 impl<'de> Deserialize<'de> for Spacing {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

@@ -8,6 +8,7 @@
 
 use std::f64::consts::PI;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::refine::RefineTable;
@@ -23,27 +24,31 @@ use crate::units::{Angle, Speed};
 
 /// An impact of one body onto another. Onto a sphere only a sphere can fall, along -x; a flat target is hit in the middle of its upper
 /// face.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ImpactTable {
     /// Speed at contact; bodies start one kernel support apart.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     speed: Speed,
     /// Angle from the normal; 0 is head-on.
     #[serde(default)]
+    #[schemars(extend("x-allowed" = ANGLES))]
     angle: Angle,
     /// Where the angle is measured.
     #[serde(default)]
     angle_at: AngleAt,
-    /// Name of the body that is hit; the first body, without it.
+    /// Name of the body that is hit.
+    #[schemars(extend("x-default" = "the first body"))]
     target: Option<String>,
-    /// Name of the body that hits it; the second body, without it.
+    /// Name of the body that hits it.
+    #[schemars(extend("x-default" = "the second body"))]
     projectile: Option<String>,
     /// Makes the target finer where it is hit.
     pub refine: Option<Switch<RefineTable>>,
 }
 
 /// Where the angle of an impact onto a sphere is measured.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum AngleAt {
     /// Where the surfaces touch.

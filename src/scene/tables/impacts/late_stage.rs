@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
@@ -11,21 +12,23 @@ use crate::scene::document::source::Document;
 use crate::scene::tables::body::validated::Body;
 use crate::scene::tables::gravity::GravitySettings;
 use crate::scene::tables::run::{RunSettings, Until, UntilValue};
-use crate::scene::values::checks::positive;
+use crate::scene::values::checks::{POSITIVE, positive};
 use crate::units::{Pressure, Speed};
 
 /// Largest share of its volume by which a body's own weight may press soft matter together.
 const MOST_SQUEEZED: f64 = 0.1;
 
 /// Softer matter once the shock has left, so that steps grow.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LateStageTable {
     /// When matter becomes softer: a time, or `"settled"`, for impacts, when the shock has left.
     at: UntilValue,
     /// Bulk speed of sound of the matrix of every material from then on; this or `bulk_modulus`.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     sound_speed: Option<Speed>,
     /// Bulk modulus of the matrix of every material from then on; this or `sound_speed`.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     bulk_modulus: Option<Pressure>,
 }
 

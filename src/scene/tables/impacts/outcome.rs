@@ -1,19 +1,21 @@
 //! `[outcome]`: what is asked about an impact onto ground.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::impact::ImpactSettings;
 use crate::error::Result;
 use crate::scene::document::source::Document;
 use crate::scene::tables::body::validated::Body;
-use crate::scene::values::checks::positive;
+use crate::scene::values::checks::{POSITIVE, positive};
 use crate::units::Speed;
 
 /// What is asked about an impact onto a flat face.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OutcomeTable {
     /// Upward speed from which on matter counts as ejected.
+    #[schemars(extend("x-allowed" = POSITIVE))]
     ejection_speed: Speed,
 }
 

@@ -3,6 +3,7 @@
 //! these parts becomes a body: the target itself is the outermost, the others follow after the bodies of the scene, the finest
 //! first. Layers, probes and what is said of the target mean all of them.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::error::{Error, Result};
@@ -11,7 +12,7 @@ use crate::scene::geometry::cut::{Cut, volume_within};
 use crate::scene::geometry::lattice::{Faces, Lattice};
 use crate::scene::geometry::shape::BodyShape;
 use crate::scene::tables::body::validated::Body;
-use crate::scene::values::word::{self, word_or};
+use crate::scene::values::word::{self, word_or, word_schema};
 use crate::units::Length;
 
 /// Radius of the finest part, where the scene names none: so many of the projectile's, and so many spacings.
@@ -24,14 +25,20 @@ const FEWEST: f64 = 100.0;
 
 /// A target that is finer where it is hit: the finest within `radius` of the point of impact; shells around, each twice as coarse and
 /// twice as wide, lead to the target's own spacing. Masses are exact. For a sphere, box, cylinder or half sphere, no pile of `rubble`.
-#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct RefineTable {
     /// Distance of nearest particles at the point of impact: the projectile's, `"projectile"`, or a length, which a projectile without
     /// a spacing of its own follows.
     spacing: FinestSpacing,
-    /// Radius of the finest part; without it 4 radii of the projectile, and 8 spacings at least.
+    /// Radius of the finest part.
+    #[schemars(extend("x-default" = usual_radius()))]
     radius: Option<Length>,
+}
+
+/// What the default of the radius follows from.
+fn usual_radius() -> String {
+    format!("{PROJECTILE_RADII} radii of the projectile, {SPACINGS} spacings at least")
 }
 
 /// Distance of nearest particles at the point of impact: the projectile's, or given.
@@ -55,6 +62,8 @@ impl Serialize for FinestSpacing {
         word::serialize(given, Self::WORD, serializer)
     }
 }
+
+word_schema!(FinestSpacing, Length);
 
 impl<'de> Deserialize<'de> for FinestSpacing {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {

@@ -1,30 +1,38 @@
 //! `[threshold]`: the search for the projectile that disperses half of the target.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
 use crate::scene::document::source::Document;
-use crate::scene::values::checks::{Range, positive, within};
+use crate::scene::values::checks::{POSITIVE, Range, positive, within};
 use crate::units::{Length, Number};
 
 /// A search for the projectile that disperses half of the target, instead of a single run.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ThresholdTable {
     /// What is varied: the radius of the projectile, `"projectile.radius"`.
     vary: String,
     /// Relative width of the final bracket in Q.
     #[serde(default = "five_per_cent")]
+    #[schemars(range(min = TOLERANCE[0], max = TOLERANCE[1]))]
     tolerance: Number,
-    /// Least radius; 0.01 radii of the target without it.
+    /// Least radius.
+    #[schemars(extend("x-allowed" = POSITIVE))]
+    #[schemars(extend("x-default" = "0.01 radii of the target"))]
     min: Option<Length>,
-    /// Largest radius; that of the target without it.
+    /// Largest radius.
+    #[schemars(extend("x-allowed" = POSITIVE))]
+    #[schemars(extend("x-default" = "the radius of the target"))]
     max: Option<Length>,
     /// Largest number of impacts that look for the bracket.
     #[serde(default = "sixteen")]
+    #[schemars(range(min = FEWEST_IMPACTS))]
     max_impacts: u32,
     /// Impacts at the threshold with other flaws and another orientation of the target's lattice, for the scatter; 0 for none.
     #[serde(default = "three")]
+    #[schemars(extend("x-allowed" = REPEATS))]
     repeats: u32,
 }
 

@@ -1,5 +1,6 @@
 //! `[[layer]]`: a part of bodies with a motion of its own.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::region::{Region, RegionKeys, region};
@@ -16,7 +17,7 @@ use crate::units::Length;
 
 /// A part of bodies, by where its particles start, with a motion of its own. Layers go before bodies; the first that holds a particle
 /// counts.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LayerTable {
     /// Name of a body; all bodies without it.

@@ -1,5 +1,6 @@
 //! `[[probe]]`: a part of bodies whose means are columns of history.csv.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::region::{Region, RegionKeys, region};
@@ -9,7 +10,7 @@ use crate::scene::tables::body::validated::Body;
 use crate::scene::values::axis::Interval;
 
 /// A part of bodies, by where its particles start, whose means are columns of history.csv: pressure, density, distention and its scatter.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ProbeTable {
     /// Begins the names of the columns, `NAME_pressure` and others: letters, digits and _, a name for each probe.
