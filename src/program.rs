@@ -12,7 +12,7 @@ use crate::error::{Error, Result, plain};
 use crate::forecast::cost;
 use crate::math::lanes;
 use crate::output::summary::Accuracy;
-use crate::output::{agree, collective};
+use crate::output::{agree, collective, on_root};
 use crate::process::faults::Fault;
 use crate::process::lock::{Lock, Work};
 use crate::process::{directory, log, resources, signals};
@@ -62,7 +62,7 @@ fn explain_keys(args: &Args, comm: &Comm) -> i32 {
         Ok(text) => text,
         Err(error) => return complain(&error, BAD_INPUT, comm),
     };
-    match agree(comm, if comm.is_root() { print(&text) } else { Ok(()) }) {
+    match on_root(comm, || print(&text)) {
         Ok(()) => 0,
         Err(error) => complain(&error, FAILED, comm),
     }
@@ -96,7 +96,7 @@ fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
     };
     if args.check || args.points {
         return match describe(args, &task, comm) {
-            Ok(text) => match agree(comm, if comm.is_root() { print(&plain(&text)) } else { Ok(()) }) {
+            Ok(text) => match on_root(comm, || print(&plain(&text))) {
                 Ok(()) => 0,
                 Err(error) => complain(&error, FAILED, comm),
             },

@@ -22,7 +22,6 @@ use crate::output::summary::Figures;
 use crate::particles::Column;
 use crate::random::uniform_pair;
 use crate::step::Stepper;
-use crate::step::diagnostics::sum_over_ranks;
 
 const FIELDS: [(&str, &str); 5] =
     [("density", "kg/m^3"), ("velocity", "m/s"), ("stress", "Pa"), ("internal_energy", "J/kg"), ("distention", "")];
@@ -143,7 +142,7 @@ fn norms(profile: &Profile, samples: &[Sample], time: f64, comm: &Comm) -> Vec<(
         }
     }
     comm.all_max(&mut scale);
-    let sums = sum_over_ranks(&mut sums, comm);
+    let sums = comm.sum_exactly(&mut sums);
     let named = FIELDS.iter().enumerate().filter(|(k, _)| sums[2 * k + 1] > 0.0 && scale[*k] > 0.0);
     named.map(|(k, (name, _))| (format!("{name}_l1"), sums[2 * k] / sums[2 * k + 1] / scale[k])).collect()
 }
@@ -226,7 +225,7 @@ fn means(samples: &[Sample], low: f64, high: f64, comm: &Comm) -> Option<[f64; F
         sums[FIELD_COUNT].add(p.mass);
         fields(&p.state).iter().zip(&mut sums).filter(|(q, _)| q.is_finite()).for_each(|(q, sum)| sum.add(p.mass * q));
     }
-    let sums = sum_over_ranks(&mut sums, comm);
+    let sums = comm.sum_exactly(&mut sums);
     (sums[FIELD_COUNT] > 0.0).then(|| std::array::from_fn(|k| sums[k] / sums[FIELD_COUNT]))
 }
 
@@ -250,7 +249,7 @@ fn crossing(
             sums[2 * slab + 1].add(p.mass);
         }
     }
-    let sums = sum_over_ranks(&mut sums, comm);
+    let sums = comm.sum_exactly(&mut sums);
     let filled = (0..SLABS).filter(|k| sums[2 * k + 1] > 0.0);
     let means: Vec<(f64, f64)> =
         filled.map(|k| (low + (k as f64 + 0.5) * width, sums[2 * k] / sums[2 * k + 1])).collect();

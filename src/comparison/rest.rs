@@ -19,12 +19,11 @@ use crate::gravity::G;
 use crate::material::strength::DEVIATORIC_STRESS;
 use crate::math::{Deviator, ExactSum, Vec3};
 use crate::motion::Motion;
-use crate::output::agree;
 use crate::output::figures::curves::{Axis, Figure, Mark, Series};
+use crate::output::on_root;
 use crate::output::summary::Figures;
 use crate::scene::{Body, BodyShape, InitialState, Scene};
 use crate::step::Stepper;
-use crate::step::diagnostics::sum_over_ranks;
 
 /// Stretches of depth.
 const STRETCHES: usize = 10;
@@ -131,7 +130,7 @@ pub fn speed<const D: usize>(rest: &Rest, stepper: &Stepper<D>, comm: &Comm) -> 
         sums[0].add(mass * columns.get(settings.view.core.velocity, i).norm_squared());
         sums[1].add(mass);
     }
-    let sums = sum_over_ranks(&mut sums, comm);
+    let sums = comm.sum_exactly(&mut sums);
     (sums[0] / sums[1]).sqrt() / rest.fall
 }
 
@@ -148,7 +147,7 @@ pub fn compare<const D: usize>(
     errors.extend(rest.field.iter().flat_map(|field| pressures(field, stepper, comm)));
     if let Some(directory) = directory {
         let draw = || draw(rest, samples, title, directory);
-        agree(comm, if comm.is_root() { draw() } else { Ok(()) })?;
+        on_root(comm, draw)?;
     }
     Ok(Figures(errors))
 }
@@ -170,7 +169,7 @@ fn pressures<const D: usize>(field: &Field, stepper: &Stepper<D>, comm: &Comm) -
         sums[2 * STRETCHES].add(off * off);
         sums[2 * STRETCHES + 1].add(1.0);
     }
-    let sums = sum_over_ranks(&mut sums, comm);
+    let sums = comm.sum_exactly(&mut sums);
     let means =
         sums[..2 * STRETCHES].chunks_exact(2).filter(|sums| sums[0] > 0.0).map(|sums| (sums[1] / sums[0]).abs());
     let rms = (sums[2 * STRETCHES] / sums[2 * STRETCHES + 1]).sqrt();

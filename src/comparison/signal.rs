@@ -13,11 +13,10 @@ use super::solution::Swing;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::math::{ExactSum, Vec3};
-use crate::output::agree;
 use crate::output::figures::curves::{Axis, Figure, Mark, Series};
+use crate::output::on_root;
 use crate::output::summary::Figures;
 use crate::step::Stepper;
-use crate::step::diagnostics::sum_over_ranks;
 
 /// q now, m/s. Collective.
 pub fn amplitude<const D: usize>(swing: &Swing, stepper: &Stepper<D>, comm: &Comm) -> f64 {
@@ -29,7 +28,7 @@ pub fn amplitude<const D: usize>(swing: &Swing, stepper: &Stepper<D>, comm: &Com
         sums[0].add(mass * columns.get(settings.view.core.velocity, i).dot(&shape));
         sums[1].add(mass * shape.norm_squared());
     }
-    let sums = sum_over_ranks(&mut sums, comm);
+    let sums = comm.sum_exactly(&mut sums);
     sums[0] / sums[1]
 }
 
@@ -100,7 +99,7 @@ pub fn compare(
     let fit = Fit::best(samples, swing.frequency);
     if let Some(directory) = directory {
         let draw = || draw(swing, &fit, samples, title, directory);
-        agree(comm, if comm.is_root() { draw() } else { Ok(()) })?;
+        on_root(comm, draw)?;
     }
     let errors = [
         ("frequency", fit.frequency / swing.frequency - 1.0),

@@ -1,5 +1,5 @@
 //! How long matter that is not in touch yet needs until it is. The Courant condition knows sound, and the approach of pairs inside
-//! their supports; what is fast and soft could fly into other matter, or through it, wismallest one of its steps. With the blocks of
+//! their supports; what is fast and soft could fly into other matter, or through it, within one of its steps. With the blocks of
 //! 3^D cells of [`watch`](super::watch), W the largest velocity at which matter of a block may close on other matter of it, C the
 //! Courant number:
 //!
@@ -7,17 +7,17 @@
 //! particles of the block's own level:          W dt <= C h              h: the smallest of them
 //! finer ones that no block of theirs holds:    W dt <= 2 S - d - s      S: side of the cells one level below, d: how far they have
 //!                                                                       come since the lists were built, s: their largest support
-//! all that no block holds:                     W dt <= 2 S - d - s      S: side of the widest cells watched; d, s: of everysmallestg,
+//! all that no block holds:                     W dt <= 2 S - d - s      S: side of the widest cells watched; d, s: of everything,
 //!                                                                       W: the largest relative velocity of any two
 //! W^2 = sum over axes k of w_k^2,   w_k = max over a <= b of (max v_k in layer a  -  min v_k in layer b)
 //! ```
 //!
 //! Layers are halves of cells, numbered along the axis: of two particles in different layers only the approach counts, of two in one
-//! layer their relative velocity. What expands is so limited by the velocities wismallest half a cell alone. As two sides were between
+//! layer their relative velocity. What expands is so limited by the velocities within half a cell alone. As two sides were between
 //! particles that no block holds (see there), a pair comes by C h into its supports at most before its forces are known; particles
 //! that have passed each other since the lists were built stand in the wrong order, but they are in them.
 //!
-//! Matter of which nosmallestg moves by C h in a step at all need not be looked at. Extremes are exact, and the same on any ranks.
+//! Matter of which nothing moves by C h in a step at all need not be looked at. Extremes are exact, and the same on any ranks.
 
 use rayon::prelude::*;
 
@@ -45,7 +45,7 @@ pub struct Closing {
 }
 
 impl<const D: usize> Watch<D> {
-    /// The longest step in which nosmallestg flies into each other unseen. Collective.
+    /// The longest step in which nothing flies into each other unseen. Collective.
     pub fn closing<S: Fn(usize) -> f64 + Sync>(
         &mut self,
         motion: &Displacements<'_, S>,
@@ -161,7 +161,7 @@ fn approach<'a, const D: usize>(velocities: impl Iterator<Item = &'a CellVelocit
         smallest = smallest.max(velocities.smallest);
         for k in 0..D {
             let layer = (layers >> (2 * k) & 3) as usize;
-            // On both sides of everysmallestg.
+            // On both sides of everything.
             let around: &[usize] = if layer == 3 { &[0, 2] } else { &[layer] };
             for &layer in around {
                 for half in 0..2 {

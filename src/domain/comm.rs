@@ -1,6 +1,7 @@
 //! The only module that names MPI. Ranks talk through a handful of verbs; everything irregular goes through one sparse
 //! exchange. Minima, maxima and integer sums are the only reductions: no order of arrival can change them.
 
+use crate::math::ExactSum;
 use std::cell::{Cell, RefCell};
 use std::ffi::{CStr, CString};
 use std::io::Write;
@@ -222,6 +223,16 @@ impl Comm {
     pub fn all_max(&self, values: &mut [f64]) {
         // SAFETY: constants of the MPI library.
         self.all_reduce(values, unsafe { ffi::RSMPI_DOUBLE }, unsafe { ffi::RSMPI_MAX });
+    }
+
+    /// Every sum added up over all ranks, exactly, and its value: no order of ranks can change a bit. Collective.
+    pub fn sum_exactly(&self, sums: &mut [ExactSum]) -> Vec<f64> {
+        let mut limbs: Vec<i64> = sums.iter_mut().flat_map(|sum| sum.limbs_mut().to_vec()).collect();
+        self.all_sum(&mut limbs);
+        for (sum, limbs) in sums.iter_mut().zip(limbs.chunks_exact(ExactSum::WORDS)) {
+            *sum = ExactSum::from_limbs(limbs);
+        }
+        sums.iter().map(ExactSum::value).collect()
     }
 
     /// Element-wise sum over ranks, in place: exact, so independent of order.

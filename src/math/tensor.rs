@@ -26,6 +26,25 @@ pub struct Deviator {
 }
 
 impl Sym {
+    /// Cofactors: the inverse times the determinant.
+    #[inline(always)]
+    pub fn cofactors(&self) -> Self {
+        Self {
+            xx: self.yy * self.zz - self.yz * self.yz,
+            yy: self.xx * self.zz - self.xz * self.xz,
+            zz: self.xx * self.yy - self.xy * self.xy,
+            xy: self.xz * self.yz - self.xy * self.zz,
+            xz: self.xy * self.yz - self.xz * self.yy,
+            yz: self.xy * self.xz - self.yz * self.xx,
+        }
+    }
+
+    /// The determinant, where the cofactors are known.
+    #[inline(always)]
+    pub fn determinant(&self, cofactors: &Self) -> f64 {
+        self.xx * cofactors.xx + self.xy * cofactors.xy + self.xz * cofactors.xz
+    }
+
     pub const ZERO: Self = Self { xx: 0.0, yy: 0.0, zz: 0.0, xy: 0.0, xz: 0.0, yz: 0.0 };
 
     /// Symmetric part of a matrix.

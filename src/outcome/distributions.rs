@@ -65,10 +65,7 @@ impl Bins {
             masses[row].add(piece.mass);
         }
         comm.all_sum(&mut counts);
-        let mut limbs: Vec<i64> = masses.iter_mut().flat_map(|sum| sum.limbs_mut().to_vec()).collect();
-        comm.all_sum(&mut limbs);
-        let masses: Vec<f64> =
-            limbs.chunks_exact(ExactSum::WORDS).map(|limbs| ExactSum::from_limbs(limbs).value()).collect();
+        let masses = comm.sum_exactly(&mut masses);
         Self {
             counts: [counts[..BINS].to_vec(), counts[BINS..].to_vec()],
             masses: [masses[..BINS].to_vec(), masses[BINS..].to_vec()],

@@ -318,7 +318,6 @@ fn counted(comm: &Comm, pieces: &[Piece], label: Option<u64>, question: &Questio
 
 /// The values of exact sums over all ranks. Collective.
 fn all_values<const N: usize>(comm: &Comm, sums: &mut [ExactSum; N]) -> [f64; N] {
-    let mut limbs: Vec<i64> = sums.iter_mut().flat_map(|sum| sum.limbs_mut().to_vec()).collect();
-    comm.all_sum(&mut limbs);
-    std::array::from_fn(|k| ExactSum::from_limbs(&limbs[k * ExactSum::WORDS..(k + 1) * ExactSum::WORDS]).value())
+    let values = comm.sum_exactly(sums);
+    std::array::from_fn(|k| values[k])
 }

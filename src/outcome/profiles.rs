@@ -50,14 +50,11 @@ impl Ejecta {
             let shares = [particle.mass, particle.volume, above];
             sums[3 * bin..][..3].iter_mut().zip(shares).for_each(|(sum, share)| sum.add(share));
         }
-        let mut limbs: Vec<i64> = sums.iter_mut().flat_map(|sum| sum.limbs_mut().to_vec()).collect();
-        comm.all_sum(&mut limbs);
+        comm.sum_exactly(&mut sums);
         let mut faster = [const { ExactSum::new() }; 3];
         let mut rows = Vec::new();
-        for (bin, words) in limbs.chunks_exact(3 * ExactSum::WORDS).enumerate().rev() {
-            for (sum, words) in faster.iter_mut().zip(words.chunks_exact(ExactSum::WORDS)) {
-                sum.merge(&ExactSum::from_limbs(words));
-            }
+        for (bin, shares) in sums.chunks_exact(3).enumerate().rev() {
+            faster.iter_mut().zip(shares).for_each(|(sum, share)| sum.merge(share));
             let [mass, volume, mass_above_face] = [0, 1, 2].map(|k| faster[k].value());
             if mass > 0.0 {
                 rows.push(EjectaRow { speed: edges[bin], mass, volume, mass_above_face });
@@ -176,9 +173,8 @@ impl Pores {
             }
         }
         comm.all_min(&mut ends);
-        let mut limbs: Vec<i64> = sums.iter_mut().flat_map(|sum| sum.limbs_mut().to_vec()).collect();
-        comm.all_sum(&mut limbs);
-        let value = |k: usize| ExactSum::from_limbs(&limbs[k * ExactSum::WORDS..(k + 1) * ExactSum::WORDS]).value();
+        let values = comm.sum_exactly(&mut sums);
+        let value = |k: usize| values[k];
         let filled = (0..bins).filter(|bin| ends[2 * bin].is_finite());
         let row = |bin: usize| PoresRow {
             depth: (bin as f64 + 0.5) * spacing,

@@ -27,6 +27,12 @@ pub fn agree<T>(comm: &Comm, result: Result<T>) -> Result<T> {
     Err(decode(&all[source * TEXT..(source + 1) * TEXT]))
 }
 
+/// What rank 0 alone does; all ranks share whether it succeeded. Collective.
+pub fn on_root(comm: &Comm, work: impl FnOnce() -> Result<()>) -> Result<()> {
+    let mine = if comm.is_root() { work() } else { Ok(()) };
+    agree(comm, mine)
+}
+
 fn encode(error: &Error, text: &mut [u8; TEXT]) {
     let kind = if error.bad_input { BAD_INPUT } else { "" };
     let parts = [kind, &error.place, &error.allowed, &error.what];

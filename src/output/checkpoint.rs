@@ -4,8 +4,8 @@
 
 use std::path::{Path, PathBuf};
 
-use super::agree;
 use super::collective::{CollectiveFile, Value};
+use super::on_root;
 use super::publish::{cannot, prepare, publish, sync_directory_of};
 use super::state_hash::{HashSum, hash_columns, state_columns};
 use crate::domain::comm::Comm;
@@ -83,7 +83,7 @@ pub fn write(
 ) -> Result<()> {
     let path = directory.join(NEWEST);
     prepare(&path, comm, |file| fill(file, columns, id, meta, comm))?;
-    agree(comm, if comm.is_root() { keep_previous(directory) } else { Ok(()) })?;
+    on_root(comm, || keep_previous(directory))?;
     publish(&path, comm)
 }
 

@@ -13,7 +13,7 @@ pub mod state_hash;
 pub mod summary;
 pub mod text;
 
-pub use agree::agree;
+pub use agree::{agree, on_root};
 pub use checkpoint::{Checkpoint, CheckpointMeta};
 pub use history::{Cell, History};
 pub use snapshot::{Snapshot, Storage};

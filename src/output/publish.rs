@@ -3,9 +3,9 @@
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
-use super::agree;
 use super::collective::CollectiveFile;
 use super::moment::{self, Moment};
+use super::on_root;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 
@@ -35,7 +35,7 @@ pub fn prepare<T>(path: &Path, comm: &Comm, fill: impl FnOnce(&CollectiveFile) -
 /// Gives the file written as [`temporary`] its name, once it is on disk. Rank 0 acts; all ranks return the same.
 pub fn publish(path: &Path, comm: &Comm) -> Result<()> {
     moment::reach(Moment::Written);
-    agree(comm, if comm.is_root() { rename(path) } else { Ok(()) })
+    on_root(comm, || rename(path))
 }
 
 /// Replaces a small file by `text`; for one rank.

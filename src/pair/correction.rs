@@ -35,18 +35,13 @@ pub fn inverse<const D: usize>(m: &Sym) -> Option<Sym> {
         let f = 1.0 / det;
         return Some(Sym { xx: m.yy * f, yy: m.xx * f, xy: -m.xy * f, ..Sym::ZERO });
     }
-    let xx = m.yy * m.zz - m.yz * m.yz;
-    let yy = m.xx * m.zz - m.xz * m.xz;
-    let zz = m.xx * m.yy - m.xy * m.xy;
-    let xy = m.xz * m.yz - m.xy * m.zz;
-    let xz = m.xy * m.yz - m.xz * m.yy;
-    let yz = m.xy * m.xz - m.yz * m.xx;
-    let det = m.xx * xx + m.xy * xy + m.xz * xz;
-    if !(det >= const { least_determinant(3) } && xx + yy + zz <= MOST_INVERSE * det) {
+    let c = m.cofactors();
+    let det = m.determinant(&c);
+    if !(det >= const { least_determinant(3) } && c.xx + c.yy + c.zz <= MOST_INVERSE * det) {
         return None;
     }
     let f = 1.0 / det;
-    Some(Sym { xx: xx * f, yy: yy * f, zz: zz * f, xy: xy * f, xz: xz * f, yz: yz * f })
+    Some(Sym { xx: c.xx * f, yy: c.yy * f, zz: c.zz * f, xy: c.xy * f, xz: c.xz * f, yz: c.yz * f })
 }
 
 /// L M^-1, or L where M cannot be inverted.

@@ -76,17 +76,16 @@ fn axial<const D: usize>(s: &Sym, m: &Sym) -> Vec3 {
 /// x of n x = a by Cramer's rule; zero where n is singular.
 #[inline(always)]
 fn solved(n: &Sym, a: &Vec3) -> Vec3 {
-    let xx = n.yy * n.zz - n.yz * n.yz;
-    let yy = n.xx * n.zz - n.xz * n.xz;
-    let zz = n.xx * n.yy - n.xy * n.xy;
-    let xy = n.xz * n.yz - n.xy * n.zz;
-    let xz = n.xy * n.yz - n.xz * n.yy;
-    let yz = n.xy * n.xz - n.yz * n.xx;
-    let det = n.xx * xx + n.xy * xy + n.xz * xz;
+    let c = n.cofactors();
+    let det = n.determinant(&c);
     // Neighbours on one line leave an eigenvalue of n without meaning.
     let trace = n.trace();
     let f = if det < LEAST * (trace * trace * trace) || det <= 0.0 { 0.0 } else { 1.0 / det };
-    Vec3::new(xx * a.x + xy * a.y + xz * a.z, xy * a.x + yy * a.y + yz * a.z, xz * a.x + yz * a.y + zz * a.z) * f
+    Vec3::new(
+        c.xx * a.x + c.xy * a.y + c.xz * a.z,
+        c.xy * a.x + c.yy * a.y + c.yz * a.z,
+        c.xz * a.x + c.yz * a.y + c.zz * a.z,
+    ) * f
 }
 
 /// Least determinant over the cube of the trace; 1/27 in even matter.

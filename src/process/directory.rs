@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 use super::lock::{self, LOCK, Lock, Work};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
-use crate::output::agree;
 use crate::output::checkpoint::{NEWEST, PREVIOUS};
 use crate::output::publish::cannot;
+use crate::output::{agree, on_root};
 
 /// Tells a folder that sph-mpi made, or found empty, from one of the user's.
 const MARK: &str = ".sph-mpi";
@@ -35,7 +35,7 @@ pub fn share(path: &Path, comm: &Comm) -> Result<()> {
         let folder = make(path)?;
         if entries(&folder).is_empty() { mark(&folder) } else { Ok(()) }
     };
-    agree(comm, if comm.is_root() { make() } else { Ok(()) })
+    on_root(comm, make)
 }
 
 /// Fails where there is nothing to go on from: a checkpoint, or one so many levels below, as a search has one in a folder for
@@ -47,7 +47,7 @@ pub fn require_checkpoint(path: &Path, levels: usize, comm: &Comm) -> Result<()>
         }
         Err(Error::new("there is no checkpoint to go on from").at(path.display().to_string()))
     };
-    agree(comm, if comm.is_root() { look() } else { Ok(()) })
+    on_root(comm, look)
 }
 
 /// Whether a checkpoint lies in the folder, or in one of those so many levels below.

@@ -14,7 +14,6 @@ use crate::material::porosity::DISTENTION;
 use crate::math::ExactSum;
 use crate::scene::Scene;
 use crate::step::Stepper;
-use crate::step::diagnostics::sum_over_ranks;
 
 /// Sums of each probe: V, V P, m, m alpha, m (alpha - 1)^2.
 const SUMS: usize = 5;
@@ -50,7 +49,7 @@ pub fn row<const D: usize>(scene: &Scene, stepper: &Stepper<D>, comm: &Comm) -> 
             }
         }
     }
-    let values = sum_over_ranks(&mut sums, comm);
+    let values = comm.sum_exactly(&mut sums);
     let figures = |sums: &[f64]| {
         let (pores, squares) = (sums[3] / sums[2], sums[4] / sums[2]);
         let all = [sums[1] / sums[0], sums[2] / sums[0], 1.0 + pores, (squares - pores * pores).max(0.0).sqrt()];

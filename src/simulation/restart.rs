@@ -5,7 +5,7 @@ use super::scales::{binding, crossing, first_contact, free_fall_time};
 use crate::error::Result;
 use crate::outcome::settled::Settled;
 use crate::output::publish::cannot;
-use crate::output::{Summary, agree, snapshot};
+use crate::output::{Summary, on_root, snapshot};
 use crate::scene::{Scene, Snapshots, Until};
 
 /// The summary of a run up to an end that was moved later since.
@@ -93,7 +93,7 @@ impl<const D: usize> Run<'_, D> {
             true => std::fs::rename(&path, path.with_file_name(to)).map_err(|e| cannot("rename", &path, e)),
             false => Ok(()),
         };
-        agree(self.comm, if self.comm.is_root() { keep() } else { Ok(()) })?;
+        on_root(self.comm, keep)?;
         self.state.end = None;
         tracing::info!(
             "the run had ended at t = {:.4e} s and goes on; what it found is now in {to}",

@@ -20,7 +20,6 @@ use crate::pair::{PairLoop, Terms};
 use crate::particles::{Column, Columns, ParticleId, Registry};
 use crate::scene::{Blast, Body, Flow, InitialState, IntegratorRule, Pressed, Scene, SmoothingLengthRule};
 use crate::step::StepSettings;
-use crate::step::diagnostics::sum_over_ranks;
 use crate::step::integrator::{Integrator, PredictorCorrector, RungeKutta};
 use crate::step::pack::{Moments, Packer};
 
@@ -293,7 +292,7 @@ fn heat(
         .collect();
     let mut sum = ExactSum::new();
     shares.iter().for_each(|share| sum.add(*share));
-    let total = sum_over_ranks(std::slice::from_mut(&mut sum), comm)[0];
+    let total = comm.sum_exactly(std::slice::from_mut(&mut sum))[0];
     for (i, share) in range.zip(shares) {
         columns.set(energy, i, columns.get(energy, i) + blast.energy / mass * (share / total));
     }

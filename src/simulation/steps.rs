@@ -5,8 +5,8 @@ use super::run::{Ended, Options, Run, RunReport};
 use super::scales::free_fall_time;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
-use crate::output::agree;
 use crate::output::publish::replace_text;
+use crate::output::{agree, on_root};
 use crate::process::faults::Trigger;
 use crate::process::log::Progress;
 use crate::process::signals;
@@ -34,7 +34,7 @@ impl<'a, const D: usize> Run<'a, D> {
             return Ok(found);
         }
         let write = || replace_text(&self.options.directory.join("scene.toml"), &self.scene.to_toml());
-        agree(self.comm, if self.comm.is_root() { write() } else { Ok(()) })?;
+        on_root(self.comm, write)?;
         let mut progress = Progress::new(&self.options.directory.display().to_string(), self.comm.is_root());
         if self.stepper.state.step == 0 {
             self.sample_vibration();

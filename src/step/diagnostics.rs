@@ -107,7 +107,7 @@ pub fn totals(columns: &Columns, settings: &StepSettings, gravity_age: f64, comm
             first += count;
         }
     }
-    let values = sum_over_ranks(&mut sums, comm);
+    let values = comm.sum_exactly(&mut sums);
     Totals {
         mass: values[0],
         kinetic: values[1],
@@ -122,11 +122,4 @@ pub fn totals(columns: &Columns, settings: &StepSettings, gravity_age: f64, comm
         weight: gravity.map_or(Vec3::zeros(), |gravity| gravity.uniform * values[0]),
         effects: values[FIXED..potential].to_vec(),
     }
-}
-
-/// The values of all ranks' sums added up, collective and exact.
-pub fn sum_over_ranks(sums: &mut [ExactSum], comm: &Comm) -> Vec<f64> {
-    let mut limbs: Vec<i64> = sums.iter_mut().flat_map(|sum| sum.limbs_mut().to_vec()).collect();
-    comm.all_sum(&mut limbs);
-    limbs.chunks_exact(ExactSum::WORDS).map(|words| ExactSum::from_limbs(words).value()).collect()
 }

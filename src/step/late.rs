@@ -5,7 +5,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::Stepper;
-use super::diagnostics::sum_over_ranks;
 use super::failure::Failure;
 use super::reduction;
 use crate::material::Late;
@@ -84,7 +83,7 @@ impl<const D: usize> Stepper<'_, D> {
             sums.iter_mut().zip([m * elastic, m * acting, m]).for_each(|(sum, share)| sum.add(share));
             largest[0] = acting.abs().max(largest[0]);
         }
-        let sums = sum_over_ranks(&mut sums, self.comm);
+        let sums = self.comm.sum_exactly(&mut sums);
         self.comm.all_max(&mut largest);
         Loads { elastic_energy: sums[0], mean_pressure: sums[1] / sums[2], largest_pressure: largest[0] }
     }

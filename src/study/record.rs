@@ -10,7 +10,7 @@ use super::points::{Point, Study};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::output::publish::replace_text;
-use crate::output::{Summary, agree};
+use crate::output::{Summary, agree, on_root};
 use crate::warning::Warning;
 
 /// What came of a point.
@@ -105,7 +105,7 @@ pub fn write(directory: &Path, point: &Point, record: &Record, comm: &Comm) -> R
         let text = serde_json::to_string_pretty(record).map_err(|e| Error::new(e.to_string()))?;
         replace_text(&file(directory, point), &(text + "\n"))
     };
-    agree(comm, if comm.is_root() { write() } else { Ok(()) })
+    on_root(comm, write)
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use super::record::{self, Record};
 use super::report;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
-use crate::output::{Summary, agree};
+use crate::output::{Summary, agree, on_root};
 use crate::process::lock::Work;
 use crate::process::{directory, log};
 use crate::scene::{Until, keys};
@@ -130,7 +130,7 @@ impl Sweep<'_> {
     fn report(&self) -> Result<Analysis> {
         let analysis = Analysis::new(self.study, &self.records);
         let write = || report::write(&analysis, &self.options.directory);
-        agree(self.comm, if self.comm.is_root() { write() } else { Ok(()) })?;
+        on_root(self.comm, write)?;
         Ok(analysis)
     }
 

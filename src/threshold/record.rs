@@ -9,9 +9,9 @@ use super::fit;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::outcome::Outcome;
-use crate::output::agree;
 use crate::output::publish::{cannot, replace_text};
 use crate::output::summary::Figures;
+use crate::output::{agree, on_root};
 use crate::scene::Scene;
 use crate::scene::answer::understood;
 use crate::scene::identity::{Difference, differences};
@@ -139,7 +139,7 @@ fn file(directory: &Path) -> PathBuf {
 /// Writes down what is searched. Collective.
 pub fn begin(directory: &Path, scene: &Scene, comm: &Comm) -> Result<()> {
     let write = || replace_text(&directory.join(SCENE), &scene.to_toml());
-    agree(comm, if comm.is_root() { write() } else { Ok(()) })
+    on_root(comm, write)
 }
 
 /// The impacts on disk, on every rank; none where there is no record. Impacts of another scene are refused. Collective.
@@ -187,7 +187,7 @@ pub fn write(directory: &Path, impacts: &[Impact], comm: &Comm) -> Result<()> {
         let text = serde_json::to_string_pretty(impacts).map_err(|e| Error::new(e.to_string()))?;
         replace_text(&file(directory), &(text + "\n"))
     };
-    agree(comm, if comm.is_root() { write() } else { Ok(()) })
+    on_root(comm, write)
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ use crate::output::figures::curves::{Axis, Figure, Mark, Series};
 use crate::output::figures::or_warn;
 use crate::output::publish::replace_text;
 use crate::output::summary::{self, Figures};
-use crate::output::{Summary, agree};
+use crate::output::{Summary, on_root};
 use crate::process::directory;
 use crate::process::lock::Work;
 use crate::scene::{Body, BodyShape, Scene};
@@ -266,7 +266,7 @@ impl<'a> Found<'a> {
     fn write(&self, directory: &Path, comm: &Comm) -> Result<Summary> {
         let summary = self.summary(comm);
         summary.write(&directory.join("summary.json"), comm)?;
-        agree(comm, if comm.is_root() { self.write_alone(directory) } else { Ok(()) })?;
+        on_root(comm, || self.write_alone(directory))?;
         self.print(&summary, directory, comm.is_root());
         Ok(summary)
     }
