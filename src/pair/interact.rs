@@ -229,11 +229,7 @@ unsafe fn resist<L: Lanes, F: Form, const D: usize>(
 /// # Safety
 /// As for [`Lanes`].
 #[inline(always)]
-unsafe fn find_slope<L: Lanes, F: Form, const D: usize>(
-    meeting: &mut Meeting<L, D>,
-    fixed: &Fixed<L>,
-    r_inverse: L,
-) {
+unsafe fn find_slope<L: Lanes, F: Form, const D: usize>(meeting: &mut Meeting<L, D>, fixed: &Fixed<L>, r_inverse: L) {
     unsafe {
         let layout = F::LAYOUT;
         let Meeting { i, j, pair, h_inverse: [g_i, g_j], shares, .. } = meeting;

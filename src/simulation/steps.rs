@@ -12,6 +12,7 @@ use crate::process::log::Progress;
 use crate::process::signals;
 use crate::scene::{Scene, Until};
 use crate::step::Failure;
+use crate::step::time_step::NamedLimit;
 
 /// What ranks may request after a step; the largest request counts.
 const CHECKPOINT: u32 = 1;
@@ -202,7 +203,7 @@ impl<'a, const D: usize> Run<'a, D> {
 
     pub(super) fn describe(&self) -> String {
         let (state, steps) = (&self.state, &self.stepper.state);
-        let (limit, reason) = &self.limit;
+        let NamedLimit { limit, reason } = &self.limit;
         let [x, y, z] = limit.position;
         format!(
             "t {:.3e} s, step {}, energy drift {:.1e}, dt {:.2e} s by {reason} of {} {} at ({x:.3e}, {y:.3e}, {z:.3e}) m",

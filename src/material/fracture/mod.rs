@@ -385,7 +385,7 @@ mod tests {
 
     /// Whether damage of this much grows under a stress that pulls by `share` of what the weakest flaw bears, by shear or by
     /// pressure, in matter with this distention.
-    fn grows(material: &MaterialTable, (damage, distention): (f64, f64), share: f64, by_shear: bool) -> bool {
+    fn grows(material: &MaterialTable, damage: f64, distention: f64, share: f64, by_shear: bool) -> bool {
         let mut rig = Rig::new(material.clone());
         let (bulk, shear) = (26.7e9, 22.7e9);
         let youngs_modulus = 9.0 * bulk * shear / (3.0 * bulk + shear);
@@ -415,10 +415,10 @@ mod tests {
             for (share, distention, expected) in
                 [(0.55, 2.0, true), (0.45, 2.0, false), (0.7, 1.5, true), (0.6, 1.5, false)]
             {
-                let found = grows(&porous, (0.0, distention), share, by_shear);
+                let found = grows(&porous, 0.0, distention, share, by_shear);
                 assert_eq!(found, expected, "{share} at {distention}, shear: {by_shear}");
             }
-            assert!(grows(&basalt(), (0.0, 1.0), 1.05, by_shear) && !grows(&basalt(), (0.0, 1.0), 0.95, by_shear));
+            assert!(grows(&basalt(), 0.0, 1.0, 1.05, by_shear) && !grows(&basalt(), 0.0, 1.0, 0.95, by_shear));
         }
     }
 
@@ -429,9 +429,9 @@ mod tests {
         let law = "cohesion = 9e7\ninternal_friction = 2\nfriction = 0.8\ndamaged_cohesion = 0";
         rock.strength.as_mut().unwrap().collins = Some(toml::from_str(law).unwrap());
         for (share, expected) in [(0.75, true), (0.65, false)] {
-            assert_eq!(grows(&rock, (0.3, 1.0), share, true), expected, "{share}");
+            assert_eq!(grows(&rock, 0.3, 1.0, share, true), expected, "{share}");
         }
         // Without friction S is that of undamaged matter.
-        assert!(grows(&basalt(), (0.3, 1.0), 1.05, true) && !grows(&basalt(), (0.3, 1.0), 0.95, true));
+        assert!(grows(&basalt(), 0.3, 1.0, 1.05, true) && !grows(&basalt(), 0.3, 1.0, 0.95, true));
     }
 }
