@@ -31,7 +31,7 @@ use crate::error::{Error, Result};
 use crate::math::Deviator;
 use crate::particles::{Column, ColumnInfo, Columns, Life, ParticleId, Registry};
 use crate::units::{Number, NumberDensity};
-use flaws::Flaws;
+use flaws::{FlawCount, Flaws};
 
 /// Crack speed over the longitudinal speed of sound.
 const CRACK_SPEED: f64 = 0.4;
@@ -122,7 +122,7 @@ impl Brittle {
 
     /// Damage after `dt` at a strain above the threshold.
     fn grown(&self, id: ParticleId, damage: f64, strain: f64, dt: f64) -> f64 {
-        let (active, total) = self.flaws.count(id, strain);
+        let FlawCount { active, all: total } = self.flaws.count(id, strain);
         let root = libm::cbrt(damage) + libm::cbrt(active as f64) * self.growth * dt;
         (root * root * root).min(active as f64 / total as f64).max(damage)
     }
@@ -245,7 +245,7 @@ mod tests {
     }
 
     fn total(flaws: &Flaws, site: u64) -> u32 {
-        flaws.count(ParticleId::new(0, site), 1.0).1
+        flaws.count(ParticleId::new(0, site), 1.0).all
     }
 
     #[test]
@@ -288,9 +288,9 @@ mod tests {
         let id = ParticleId::new(0, 5);
         let strain = (1..)
             .map(|step| f64::from(step) * 1e-5)
-            .find(|&strain| strain > brittle.flaws.weakest(id) && brittle.flaws.count(id, strain).0 == 3)
+            .find(|&strain| strain > brittle.flaws.weakest(id) && brittle.flaws.count(id, strain).active == 3)
             .unwrap();
-        let bound = 3.0 / f64::from(brittle.flaws.count(id, strain).1);
+        let bound = 3.0 / f64::from(brittle.flaws.count(id, strain).all);
         let first = brittle.grown(id, 0.0, strain, 1e-3);
         assert!((first / (3.0 * 2e-3f64.powi(3)) - 1.0).abs() < 1e-13);
         assert_eq!(brittle.grown(id, 0.0, strain, 1e3), bound);
