@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Parser;
 
 use crate::cli::Args;
-use crate::domain::comm::Comm;
+use crate::domain::comm::{Comm, Network};
 use crate::error::{Error, Result, plain};
 use crate::forecast::cost;
 use crate::math::lanes;
@@ -175,7 +175,8 @@ fn read(args: &Args, comm: &Comm) -> Result<Task> {
 /// What `--check` and `--points` say. Collective.
 fn describe(args: &Args, task: &Task, comm: &Comm) -> Result<String> {
     let ranks = args.ranks.unwrap_or(comm.size() as u32) as usize;
-    let network = args.latency.zip(args.bandwidth);
+    let given = args.latency.zip(args.bandwidth);
+    let network = given.map(|(latency, bandwidth)| Network { latency, bandwidth });
     agree(comm, workers::start_threads(1))?;
     match task {
         Task::Study(study) if args.points => Ok(study::check::list(study)),

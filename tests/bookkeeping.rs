@@ -7,7 +7,7 @@ use sph_mpi::gravity::G;
 use sph_mpi::math::Vec3;
 use sph_mpi::outcome::distributions::distributions;
 use sph_mpi::outcome::reaccumulated::Remnant;
-use sph_mpi::outcome::{Evaluation, Outcome, Piece, Strict};
+use sph_mpi::outcome::{CentreOfMass, Evaluation, Outcome, Piece, Strict};
 
 /// A piece of this mass, which flies along x, seen from a frame that does so with 10 m/s.
 fn piece(label: u64, count: u64, mass: f64, speed: f64) -> Piece {
@@ -41,8 +41,8 @@ fn left() -> Evaluation {
     };
     let pieces =
         vec![piece(3, 12, 600.0, 3.0), piece(2, 4, 200.0, -1.2), piece(8, 1, 100.0, 100.0), piece(9, 1, 100.0, 0.0)];
-    let frame = (Vec3::new(1.0, 2.0, 2.0), Vec3::new(10.0, 20.0, 0.0));
-    Evaluation { outcome, pieces, in_largest: vec![true, true, false, false], frame, mass: 1000.0 }
+    let centre = CentreOfMass { position: Vec3::new(1.0, 2.0, 2.0), velocity: Vec3::new(10.0, 20.0, 0.0) };
+    Evaluation { outcome, pieces, in_largest: vec![true, true, false, false], centre, mass: 1000.0 }
 }
 
 fn numbers(line: &str) -> Vec<f64> {

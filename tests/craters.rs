@@ -189,7 +189,7 @@ fn tables_by_hand() {
         let bowl = |dimension: usize| {
             let y = if dimension == 3 { 1.0 } else { 0.0 };
             let grains = ground.iter().map(|(height, x)| cube(*height, *x, y));
-            Bowl::measure(comm, grains.chain([cube(-2.0, 1.0, -1.5)]), (1.0, 12.0), dimension)
+            Bowl::measure(comm, grains.chain([cube(-2.0, 1.0, -1.5)]), 1.0, 12.0, dimension)
         };
         let radius = (3.0 * 4.0 / std::f64::consts::PI).sqrt();
         assert_eq!((bowl(3).size(), bowl(3).table().lines().count()), ([3.0, radius], 5));
@@ -198,14 +198,14 @@ fn tables_by_hand() {
         assert_eq!(bowl(2).size(), [1.5, 2.0]);
         // A large particle fills what lies below it and beside.
         let wide = TargetParticle { volume: 64.0, ..cube(-1.0, 1.0, 1.0) };
-        assert_eq!(Bowl::measure(comm, [wide].into_iter(), (1.0, 12.0), 3).table().lines().count(), 1 + 9);
-        let flat = Bowl::measure(comm, [grain(-0.5, 1.0, 0.0)].into_iter(), (1.0, 10.0), 3);
+        assert_eq!(Bowl::measure(comm, [wide].into_iter(), 1.0, 12.0, 3).table().lines().count(), 1 + 9);
+        let flat = Bowl::measure(comm, [grain(-0.5, 1.0, 0.0)].into_iter(), 1.0, 10.0, 3);
         assert_eq!(flat.size(), [0.0; 2]);
 
         let far = TargetParticle { distention: Some([1.0, 3.0]), ..grain(-0.6, 1.0, 0.0) };
         let grains = [grain(-0.5, 0.0, 0.0), far, grain(-2.5, 0.0, 0.0), grain(-0.5, 2.0, 0.0), grain(0.5, 0.0, 0.0)];
         let row = |depth, mean, least| PoresRow { depth, mean, least, largest: 2.0 };
-        let pores = Pores::measure(comm, grains.into_iter(), (1.0, 10.0));
+        let pores = Pores::measure(comm, grains.into_iter(), 1.0, 10.0);
         assert_eq!(pores.rows, [row(0.5, 1.5, 1.0), row(2.5, 2.0, 2.0)]);
     });
 }
@@ -253,7 +253,7 @@ fn sums_are_the_same_on_any_ranks() {
             ejection_speed: Some(5.0),
             extent: 3.0,
         };
-        let found = crater::evaluate(comm, (&columns, &core), &constants, &question);
+        let found = crater::evaluate(comm, &columns, &core, &constants, &question);
         let (ejected, compaction) = (found.crater.ejected.unwrap(), found.crater.compaction.unwrap());
         if comm.size() == 1 {
             let sums = [ejected.mass, ejected.volume, compaction.compacted_volume];

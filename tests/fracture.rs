@@ -82,7 +82,7 @@ fn flaws_are_as_many_as_in_the_original_assignment() {
     let mut table = String::from("particles,flaws,expected,deviation,original\n");
     for n in [1000, 10_000, size(30_000, 1_000_000)] {
         let flaws = flaws_of(&basalt(), 1, BALL / n as f64, n);
-        let total: u64 = (0..n).map(|site| u64::from(flaws.count(ParticleId::new(0, site), 1.0).1)).sum();
+        let total: u64 = (0..n).map(|site| u64::from(flaws.count(ParticleId::new(0, site), 1.0).all)).sum();
         let (mu, n) = ((n as f64).ln() + 0.577, n as f64);
         let (expected, deviation) = (n * (mu + (-mu).exp()), (n * mu).sqrt());
         assert!((total as f64 - expected).abs() < 4.0 * deviation, "{n}: {total} for {expected} +- {deviation}");

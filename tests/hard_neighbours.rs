@@ -256,7 +256,7 @@ until = 1
     ranks(1, "hard_neighbours::cold_gas_takes_the_steps_of_its_expansion", |comm| {
         let mut hand = ByHand::<3>::new(GAS, comm, |_| {});
         assert!((hand.dt / (0.4 / 6.0) - 1.0).abs() < 1e-12, "{}", hand.dt);
-        assert_eq!(hand.stepper.tightest_limit().1, "density");
+        assert_eq!(hand.stepper.tightest_limit().reason, "density");
         hand.run(1.0, |_| {});
     });
 }

@@ -171,7 +171,7 @@ fn meet(changes: &[&str], comm: &Comm) -> Left {
     let settings = &hand.stepper.settings;
     let damage = |i: usize, body: usize| settings.view.damage(&hand.stepper.columns, i, body);
     let whole: Vec<usize> = (0..settings.view.constants.len()).collect();
-    let pieces = particles(&hand.stepper.columns, &settings.view.core, (&settings.view.constants, &whole), damage);
+    let pieces = particles(&hand.stepper.columns, &settings.view.core, &settings.view.constants, &whole, damage);
     let outcome =
         evaluate(comm, &pieces, &Question { dimension: 3, target_mass: mass, bodies: [0, 1], others: false }).outcome;
     let left = Left {

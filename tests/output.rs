@@ -280,7 +280,7 @@ fn the_picture_does_not_depend_on_ranks() {
         let plane = Plane { origin: Vec3::new(0.0, 0.0, 230.0), across: Vec3::x(), up: Vec3::y() };
         let path = directory.join(format!("cut_{}.png", comm.size()));
         let picture = Picture { title: "Two blocks".into(), plane, ejected: None, distention: 1.0 };
-        cut::draw(&path, &picture, (&scene.columns, &BODIES), comm).unwrap();
+        cut::draw(&path, &picture, &scene.columns, &BODIES, comm).unwrap();
     });
     if inside {
         return;

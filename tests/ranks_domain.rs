@@ -3,7 +3,7 @@
 
 use crate::common::same_on_any_ranks;
 use sph_mpi::domain::ghosts::Extent;
-use sph_mpi::domain::{Comm, Decomposition, Displacements, Handles, Space, Watch};
+use sph_mpi::domain::{Basis, Comm, Decomposition, Displacements, Handles, Space, Watch};
 use sph_mpi::math::Vec3;
 use sph_mpi::neighbours::NeighbourList;
 use sph_mpi::particles::{Column, ColumnInfo, Columns, Lattice, Life, ParticleId, Periods, Registry, Site};
@@ -189,8 +189,8 @@ fn tell<const D: usize>(story: Story<D>, periods: Periods, comm: &Comm) -> Strin
     let column = cloud.list_radius;
     let list_radius = move |columns: &Columns, i: usize| columns.get(column, i);
     let lattice = Lattice::periodic(0.5 * (1.0 + SKIN), WIDEST * (1.0 + SKIN), &periods);
-    let set_up = (cloud.handles, Space { lattice, periods }, 3);
-    let mut domain = Decomposition::<D>::new(&mut cloud.columns, set_up, &list_radius, comm);
+    let basis = Basis { handles: cloud.handles, space: Space { lattice, periods }, words: 3 };
+    let mut domain = Decomposition::<D>::new(&mut cloud.columns, basis, &list_radius, comm);
     let mut list = NeighbourList::default();
     list.build(&domain.local);
     let steps = 200;
@@ -309,8 +309,8 @@ fn only_relative_motion_counts() {
         let column = cloud.list_radius;
         let list_radius = move |columns: &Columns, i: usize| columns.get(column, i);
         let space = Space { lattice: Lattice::new(0.5 * (1.0 + SKIN)), periods: Periods::OPEN };
-        let set_up = (cloud.handles, space, 1);
-        let mut domain = Decomposition::<3>::new(&mut cloud.columns, set_up, &list_radius, comm);
+        let basis = Basis { handles: cloud.handles, space, words: 1 };
+        let mut domain = Decomposition::<3>::new(&mut cloud.columns, basis, &list_radius, comm);
         let shift = [0.25, -0.5, 1.0];
         let build_position = cloud.columns.numbers(cloud.handles.build_position.index);
         // A step of the positions' own grid, so that all displacements are equal.

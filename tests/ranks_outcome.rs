@@ -308,7 +308,7 @@ fn a_neighbour_is_no_remnant() {
             same(found.unbound_mass, alone.unbound_mass);
             assert_eq!((found.fragments, found.largest_remnant_particles), (1, moonlet as u64));
             let masses = [target_mass, mass * ball(2, 0).count() as f64, mass * ball(9, 0).count() as f64];
-            let told = origin::by_body(comm, &mine, (&evaluation, &asked), &masses);
+            let told = origin::by_body(comm, &mine, &evaluation, &asked, &masses);
             same(told[0].remnant, moonlet / (moonlet + chip));
             same(told[0].fragment, chip / (moonlet + chip));
             assert_eq!((told[1].in_largest_remnant, told[1].fragment), (0.0, 0.0));

@@ -2,7 +2,7 @@
 //! `scripts/validate rest` does them finer. Moduli are such that sound is 25 times as fast as free fall: with those of rock nothing
 //! would have the time to fall.
 
-use sph_mpi::comparison::Comparison;
+use sph_mpi::comparison::{Comparison, Noted};
 use sph_mpi::domain::comm::Comm;
 use sph_mpi::math::{Deviator, Vec3};
 use sph_mpi::random::uniform;
@@ -31,7 +31,8 @@ fn run<const D: usize>(text: &str, changes: &[&str], comm: &Comm) -> impl Fn(&st
             samples.extend(comparison.sample(&hand.stepper, hand.time, comm));
         }
     });
-    let found = comparison.finish(&hand.stepper, (end, 0.0, &samples), None, comm).expect("figures");
+    let noted = Noted { time: end, angular_momentum: 0.0, samples: &samples };
+    let found = comparison.finish(&hand.stepper, &noted, None, comm).expect("figures");
     println!("{changes:?}, {} steps: {:?}", hand.steps(), found.0);
     move |name: &str| found.0.iter().find(|(known, _)| known == name).map_or(f64::NAN, |(_, value)| *value)
 }

@@ -2,6 +2,7 @@
 
 pub mod elastic;
 pub mod modes;
+pub mod pictures;
 pub mod profile;
 pub mod rest;
 pub mod signal;
@@ -14,12 +15,24 @@ use crate::error::{Error, Result};
 use crate::output::summary::Figures;
 use crate::scene::Scene;
 use crate::step::Stepper;
+use pictures::Pictures;
 use solution::Reference;
 
 /// What a run compares itself with, and what it has noted on its way.
 pub struct Comparison {
     reference: Reference,
     title: String,
+}
+
+/// What a run has noted for its comparison.
+#[derive(Debug, Clone, Copy)]
+pub struct Noted<'a> {
+    /// s.
+    pub time: f64,
+    /// Drift of angular momentum, relative.
+    pub angular_momentum: f64,
+    /// What [`Comparison::sample`] gave.
+    pub samples: &'a [[f64; 2]],
 }
 
 impl Comparison {
@@ -40,25 +53,26 @@ impl Comparison {
         }
     }
 
-    /// Errors by name, and figures into the directory where asked for. `angular`: drift of angular momentum; `samples`: what
-    /// [`Comparison::sample`] gave. Collective.
+    /// Errors by name, and figures into the directory where asked for. Collective.
     pub fn finish<const D: usize>(
         &self,
         stepper: &Stepper<D>,
-        (time, angular, samples): (f64, f64, &[[f64; 2]]),
+        noted: &Noted,
         directory: Option<&Path>,
         comm: &Comm,
     ) -> Result<Figures> {
+        let &Noted { time, angular_momentum, samples } = noted;
+        let pictures = directory.map(|directory| Pictures { title: &self.title, directory });
         match &self.reference {
-            Reference::Profile(profile) => profile::compare(profile, stepper, time, (&self.title, directory), comm),
-            Reference::Swing(swing) => signal::compare(swing, samples, (&self.title, directory), comm),
-            Reference::Rest(rest) => rest::compare(rest, stepper, samples, (&self.title, directory), comm),
+            Reference::Profile(profile) => profile::compare(profile, stepper, time, pictures, comm),
+            Reference::Swing(swing) => signal::compare(swing, samples, pictures, comm),
+            Reference::Rest(rest) => rest::compare(rest, stepper, samples, pictures, comm),
             Reference::Turn(turn) => {
                 let turns = turn.spin * time / (2.0 * std::f64::consts::PI);
                 let named = |name: &str, value| (name.to_string(), value);
                 Ok(Figures(vec![
-                    named("angular_momentum", angular),
-                    named("angular_momentum_per_turn", angular / turns),
+                    named("angular_momentum", angular_momentum),
+                    named("angular_momentum_per_turn", angular_momentum / turns),
                 ]))
             }
         }

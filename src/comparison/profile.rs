@@ -9,8 +9,7 @@
 //! Plateaus and fronts are read off the solution itself: stretches where nothing changes, and jumps. All sums are exact, so
 //! errors are the same on any number of ranks.
 
-use std::path::Path;
-
+use super::pictures::Pictures;
 use super::solution::{Place, Profile};
 use crate::domain::comm::Comm;
 use crate::error::Result;
@@ -96,12 +95,32 @@ enum Feature {
     Front { at: f64, behind: State, ahead: State },
 }
 
+/// One field at a front of the solution.
+struct Jump {
+    /// Its number among the fields.
+    field: usize,
+    /// Where, m.
+    at: f64,
+    behind: f64,
+    ahead: f64,
+}
+
+/// A solution at a time, and this rank's particles where both count.
+struct Compared<'a> {
+    profile: &'a Profile,
+    /// s.
+    time: f64,
+    /// Coordinates of the first and the last particle of all ranks, m; the wrong way round without any.
+    ends: [f64; 2],
+    samples: &'a [Sample],
+}
+
 /// The errors, and one figure per field. Collective.
 pub fn compare<const D: usize>(
     profile: &Profile,
     stepper: &Stepper<D>,
     time: f64,
-    (title, directory): (&str, Option<&Path>),
+    pictures: Option<Pictures>,
     comm: &Comm,
 ) -> Result<Figures> {
     let registry = &stepper.columns.registry;
@@ -118,18 +137,20 @@ pub fn compare<const D: usize>(
     let mut ends = samples.iter().fold([f64::NEG_INFINITY; 2], |[a, b], p| [a.max(-p.s), b.max(p.s)]);
     comm.all_max(&mut ends);
     let ends = [-ends[0], ends[1]];
-    let mut errors = norms(profile, &samples, time, comm);
+    let compared = Compared { profile, time, ends, samples: &samples };
+    let mut errors = norms(&compared, comm);
     if ends[0] < ends[1] {
         let h = stepper.settings.view.constants.iter().map(|body| body.smoothing_length).fold(0.0, f64::max);
-        errors.extend(features(profile, time, ends, &samples, MARGIN * h, comm));
+        errors.extend(features(&compared, MARGIN * h, comm));
     }
-    if let Some(directory) = directory {
-        draw(profile, (stepper, &samples), (time, ends), (title, directory), comm)?;
+    if let Some(pictures) = pictures {
+        draw(&compared, pictures, comm)?;
     }
     Ok(Figures(errors))
 }
 
-fn norms(profile: &Profile, samples: &[Sample], time: f64, comm: &Comm) -> Vec<(String, f64)> {
+fn norms(compared: &Compared, comm: &Comm) -> Vec<(String, f64)> {
+    let &Compared { profile, time, samples, .. } = compared;
     let mut sums = vec![ExactSum::new(); 2 * FIELD_COUNT];
     let mut scale = [0.0; FIELD_COUNT];
     for p in samples {
@@ -147,8 +168,9 @@ fn norms(profile: &Profile, samples: &[Sample], time: f64, comm: &Comm) -> Vec<(
     named.map(|(k, (name, _))| (format!("{name}_l1"), sums[2 * k] / sums[2 * k + 1] / scale[k])).collect()
 }
 
-/// Plateaus and fronts of the solution between `ends`.
-fn found(profile: &Profile, time: f64, ends: [f64; 2]) -> Vec<Feature> {
+/// Plateaus and fronts of the solution where there are particles.
+fn found(compared: &Compared) -> Vec<Feature> {
+    let &Compared { profile, time, ends, .. } = compared;
     let step = (ends[1] - ends[0]) / (POINTS - 1) as f64;
     let points: Vec<(f64, State)> = (0..POINTS)
         .map(|k| ends[0] + k as f64 * step)
@@ -180,16 +202,10 @@ fn found(profile: &Profile, time: f64, ends: [f64; 2]) -> Vec<Feature> {
     features
 }
 
-fn features(
-    profile: &Profile,
-    time: f64,
-    ends: [f64; 2],
-    samples: &[Sample],
-    margin: f64,
-    comm: &Comm,
-) -> Vec<(String, f64)> {
+fn features(compared: &Compared, margin: f64, comm: &Comm) -> Vec<(String, f64)> {
+    let &Compared { profile, samples, .. } = compared;
     let (mut errors, mut plateaus, mut fronts) = (Vec::new(), 0, 0);
-    for feature in found(profile, time, ends) {
+    for feature in found(compared) {
         match feature {
             Feature::Plateau { low, high, state } => {
                 plateaus += 1;
@@ -204,10 +220,10 @@ fn features(
             }
             Feature::Front { at, behind, ahead } => {
                 fronts += 1;
-                let number = if (behind.velocity - ahead.velocity).abs() > 0.0 { 1 } else { 0 };
-                let levels = (fields(&behind)[number], fields(&ahead)[number]);
+                let field = if (behind.velocity - ahead.velocity).abs() > 0.0 { 1 } else { 0 };
+                let jump = Jump { field, at, behind: fields(&behind)[field], ahead: fields(&ahead)[field] };
                 let travelled = at - profile.origin;
-                if let Some(crossing) = crossing(samples, (number, levels), at, margin, comm)
+                if let Some(crossing) = crossing(samples, &jump, margin, comm)
                     && travelled.abs() > margin
                 {
                     errors.push((format!("front_{fronts}_speed"), (crossing - profile.origin) / travelled - 1.0));
@@ -229,14 +245,9 @@ fn means(samples: &[Sample], low: f64, high: f64, comm: &Comm) -> Option<[f64; F
     (sums[FIELD_COUNT] > 0.0).then(|| std::array::from_fn(|k| sums[k] / sums[FIELD_COUNT]))
 }
 
-/// Where the mean of a field over slabs crosses the middle of its two levels, nearest to `at`. Collective.
-fn crossing(
-    samples: &[Sample],
-    (field, levels): (usize, (f64, f64)),
-    at: f64,
-    margin: f64,
-    comm: &Comm,
-) -> Option<f64> {
+/// Where the mean of a field over slabs crosses the middle of its jump, nearest to where the solution has it. Collective.
+fn crossing(samples: &[Sample], jump: &Jump, margin: f64, comm: &Comm) -> Option<f64> {
+    let &Jump { field, at, behind, ahead } = jump;
     const SLABS: usize = 48;
     let width = 2.0 * 3.0 * margin / SLABS as f64;
     let low = at - 3.0 * margin;
@@ -253,10 +264,10 @@ fn crossing(
     let filled = (0..SLABS).filter(|k| sums[2 * k + 1] > 0.0);
     let means: Vec<(f64, f64)> =
         filled.map(|k| (low + (k as f64 + 0.5) * width, sums[2 * k] / sums[2 * k + 1])).collect();
-    let middle = 0.5 * (levels.0 + levels.1);
+    let middle = 0.5 * (behind + ahead);
     let crossings = means.windows(2).filter_map(|pair| {
         let [(a, q), (b, r)] = [pair[0], pair[1]];
-        let downwards = levels.0 > levels.1;
+        let downwards = behind > ahead;
         let through = if downwards { q >= middle && r < middle } else { q <= middle && r > middle };
         through.then(|| a + (b - a) * (middle - q) / (r - q))
     });
@@ -264,18 +275,13 @@ fn crossing(
 }
 
 /// Particles over the exact curve, one picture per field.
-fn draw<const D: usize>(
-    profile: &Profile,
-    (stepper, samples): (&Stepper<D>, &[Sample]),
-    (time, ends): (f64, [f64; 2]),
-    (title, directory): (&str, &Path),
-    comm: &Comm,
-) -> Result<()> {
+fn draw(compared: &Compared, pictures: Pictures, comm: &Comm) -> Result<()> {
+    let &Compared { profile, time, ends, samples } = compared;
     let mut count = [samples.len() as i64];
     comm.all_sum(&mut count);
     let share = SHOWN / count[0].max(1) as f64;
     // Drawn by number among a rank's own: which particles are shown says nothing about the run.
-    let shown = samples.iter().zip(0u64..).filter(|(_, k)| uniform_pair(stepper.comm.rank() as u64, *k, 0)[0] < share);
+    let shown = samples.iter().zip(0u64..).filter(|(_, k)| uniform_pair(comm.rank() as u64, *k, 0)[0] < share);
     let words: Vec<u64> =
         shown.flat_map(|(p, _)| [p.s].into_iter().chain(fields(&p.state)).map(f64::to_bits)).collect();
     let received = comm.sparse_exchange(vec![(0, words)]);
@@ -305,12 +311,12 @@ fn draw<const D: usize>(
         }
         let axis = |label: String| Axis { label, logarithmic: false };
         let figure = Figure {
-            title: format!("{title} (t = {time:.4e} s)"),
+            title: format!("{} (t = {time:.4e} s)", pictures.title),
             x: axis(if radius { "distance from the centre (m)".into() } else { "x (m)".into() }),
             y: axis(if unit.is_empty() { name.to_string() } else { format!("{} ({unit})", name.replace('_', " ")) }),
             series: vec![particles, exact],
         };
-        figure.draw(&directory.join(format!("compare_{name}.png")))
+        figure.draw(&pictures.directory.join(format!("compare_{name}.png")))
     };
     agree(comm, FIELDS.iter().enumerate().try_for_each(draw))
 }

@@ -11,8 +11,7 @@
 //! rho g s in ground without sides; there it is that on planes along the face, P - S_nn, which must bear the weight whatever the
 //! others are. Piles have none that is known, and only speeds.
 
-use std::path::Path;
-
+use super::pictures::Pictures;
 use crate::domain::comm::Comm;
 use crate::error::Result;
 use crate::gravity::G;
@@ -139,14 +138,14 @@ pub fn compare<const D: usize>(
     rest: &Rest,
     stepper: &Stepper<D>,
     samples: &[[f64; 2]],
-    (title, directory): (&str, Option<&Path>),
+    pictures: Option<Pictures>,
     comm: &Comm,
 ) -> Result<Figures> {
     let largest = samples.iter().filter(|[t, _]| *t > rest.settled).map(|[_, v]| *v).fold(f64::NAN, f64::max);
     let mut errors = vec![("speed".to_string(), speed(rest, stepper, comm)), ("speed_largest".to_string(), largest)];
     errors.extend(rest.field.iter().flat_map(|field| pressures(field, stepper, comm)));
-    if let Some(directory) = directory {
-        let draw = || draw(rest, samples, title, directory);
+    if let Some(pictures) = pictures {
+        let draw = || draw(rest, samples, pictures);
         on_root(comm, draw)?;
     }
     Ok(Figures(errors))
@@ -176,16 +175,16 @@ fn pressures<const D: usize>(field: &Field, stepper: &Stepper<D>, comm: &Comm) -
     vec![("pressure".to_string(), means.fold(0.0, f64::max)), ("pressure_rms".to_string(), rms)]
 }
 
-fn draw(rest: &Rest, samples: &[[f64; 2]], title: &str, directory: &Path) -> Result<()> {
+fn draw(rest: &Rest, samples: &[[f64; 2]], pictures: Pictures) -> Result<()> {
     let axis = |label: &str, logarithmic| Axis { label: label.into(), logarithmic };
     let points = samples.iter().filter(|[t, v]| *t > 0.0 && *v > 0.0).map(|&[t, v]| (t, v)).collect();
     let series =
         Series { label: format!("v_ff = {:.3e} m/s", rest.fall), points, errors: Vec::new(), mark: Mark::Line };
     let figure = Figure {
-        title: title.to_string(),
+        title: pictures.title.to_string(),
         x: axis("time (s)", false),
         y: axis("speed of the mean square over that of free fall", true),
         series: vec![series],
     };
-    figure.draw(&directory.join("compare_speed.png"))
+    figure.draw(&pictures.directory.join("compare_speed.png"))
 }

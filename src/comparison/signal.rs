@@ -7,8 +7,8 @@
 //! Errors: `frequency` w over the exact one, less one; `damping` d / w, the amplitude lost per radian.
 
 use std::f64::consts::PI;
-use std::path::Path;
 
+use super::pictures::Pictures;
 use super::solution::Swing;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
@@ -85,20 +85,15 @@ impl Fit {
 }
 
 /// The errors, and a figure. Collective; all ranks give the same samples.
-pub fn compare(
-    swing: &Swing,
-    samples: &[[f64; 2]],
-    (title, directory): (&str, Option<&Path>),
-    comm: &Comm,
-) -> Result<Figures> {
+pub fn compare(swing: &Swing, samples: &[[f64; 2]], pictures: Option<Pictures>, comm: &Comm) -> Result<Figures> {
     let span = samples.last().map_or(0.0, |last| last[0]);
     if samples.len() < 8 || span * swing.frequency < 0.5 * PI {
         return Err(Error::new(format!("{} samples over {span:e} s show no vibration", samples.len()))
             .allowed("a run of a quarter of a period or more, output.history_every small enough for 8 samples"));
     }
     let fit = Fit::best(samples, swing.frequency);
-    if let Some(directory) = directory {
-        let draw = || draw(swing, &fit, samples, title, directory);
+    if let Some(pictures) = pictures {
+        let draw = || draw(swing, &fit, samples, pictures);
         on_root(comm, draw)?;
     }
     let errors = [
@@ -109,14 +104,14 @@ pub fn compare(
     Ok(Figures(errors.map(|(name, value)| (name.to_string(), value)).to_vec()))
 }
 
-fn draw(swing: &Swing, fit: &Fit, samples: &[[f64; 2]], title: &str, directory: &Path) -> Result<()> {
+fn draw(swing: &Swing, fit: &Fit, samples: &[[f64; 2]], pictures: Pictures) -> Result<()> {
     let span = samples.last().map_or(0.0, |last| last[0]);
     let times = (0..=1000).map(|k| 1e-3 * k as f64 * span);
     let series = |label: &str, points, mark| Series { label: label.into(), points, errors: Vec::new(), mark };
     let exact = times.clone().map(|t| (t, swing.speed * libm::cos(swing.frequency * t))).collect();
     let axis = |label: &str| Axis { label: label.into(), logarithmic: false };
     let figure = Figure {
-        title: title.to_string(),
+        title: pictures.title.to_string(),
         x: axis("time (s)"),
         y: axis("amplitude of the mode's velocity (m/s)"),
         series: vec![
@@ -125,7 +120,7 @@ fn draw(swing: &Swing, fit: &Fit, samples: &[[f64; 2]], title: &str, directory: 
             series("fit", times.map(|t| (t, fit.at(t))).collect(), Mark::Dashed),
         ],
     };
-    figure.draw(&directory.join("compare_signal.png"))
+    figure.draw(&pictures.directory.join("compare_signal.png"))
 }
 
 #[cfg(test)]

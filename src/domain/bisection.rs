@@ -100,6 +100,14 @@ struct Open {
     found: bool,
 }
 
+/// This rank's particles while planes are sought.
+struct Sought<'a, const D: usize> {
+    positions: &'a [[f64; D]],
+    costs: &'a [u32],
+    /// The open box that each is in; none once its part is known.
+    members: &'a [Option<u32>],
+}
+
 impl<const D: usize> Bisection<D> {
     /// `positions`: D numbers for each particle of this rank; `costs`: one for each. Collective.
     pub fn new(positions: &[f64], costs: &[u32], parts: usize, reduce: &impl Reduce) -> Self {
@@ -113,9 +121,10 @@ impl<const D: usize> Bisection<D> {
         // Where each particle stands among the open boxes; none once its part is known.
         let mut members: Vec<Option<u32>> = vec![(parts > 1).then_some(0); positions.len()];
         while !open.is_empty() {
-            tree.fit_boxes(&open, positions, &members, reduce);
+            let particles = Sought { positions, costs, members: &members };
+            tree.fit_boxes(&open, &particles, reduce);
             for round in 0.. {
-                tree.refine(&mut open, round, (positions, costs, &members), reduce);
+                tree.refine(&mut open, round, &particles, reduce);
                 if open.iter().all(|o| o.found) {
                     break;
                 }
@@ -169,9 +178,9 @@ impl<const D: usize> Bisection<D> {
     }
 
     /// Gives every open node the tight box of its particles: the longest side is cut.
-    fn fit_boxes(&mut self, open: &[Open], positions: &[[f64; D]], members: &[Option<u32>], reduce: &impl Reduce) {
+    fn fit_boxes(&mut self, open: &[Open], particles: &Sought<D>, reduce: &impl Reduce) {
         let mut extremes = vec![f64::NEG_INFINITY; 2 * D * open.len()];
-        for (position, member) in positions.iter().zip(members) {
+        for (position, member) in particles.positions.iter().zip(particles.members) {
             let Some(member) = member else { continue };
             let mine = &mut extremes[2 * D * *member as usize..][..2 * D];
             for k in 0..D {
@@ -194,16 +203,11 @@ impl<const D: usize> Bisection<D> {
     }
 
     /// One histogram per open node over the interval that still holds its plane.
-    fn refine(
-        &mut self,
-        open: &mut [Open],
-        round: u32,
-        (positions, costs, members): (&[[f64; D]], &[u32], &[Option<u32>]),
-        reduce: &impl Reduce,
-    ) {
+    fn refine(&mut self, open: &mut [Open], round: u32, particles: &Sought<D>, reduce: &impl Reduce) {
+        let Sought { positions, costs, members } = particles;
         let shift = (BITS * D as u32).saturating_sub(BIN_BITS * (round + 1));
         let mut histograms = vec![0i64; BINS * open.len()];
-        for ((position, cost), member) in positions.iter().zip(costs).zip(members) {
+        for ((position, cost), member) in positions.iter().zip(*costs).zip(*members) {
             let Some(m) = member.map(|m| m as usize) else { continue };
             let o = &open[m];
             if !o.found {

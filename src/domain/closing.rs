@@ -58,7 +58,8 @@ impl<const D: usize> Watch<D> {
         self.exchange_velocities(motion, velocity, comm);
         let velocities = &self.velocities.as_ref().expect("just made").cells;
         let (blocks, summaries, sides) = (&self.blocks, &self.summaries, &self.sides);
-        let limit = |block: usize| limit(blocks, (block, summaries, velocities), sides, courant);
+        let cells = AllCells { blocks, summaries, velocities, sides };
+        let limit = |block: usize| limit(block, &cells, courant);
         let limits: Vec<f64> = (0..blocks.reach.len()).into_par_iter().with_min_len(CELLS).map(limit).collect();
         let (forward, backward) = self.farthest_moves();
         let mut agreed = vec![limits.iter().copied().fold(f64::INFINITY, f64::min)];
@@ -136,13 +137,18 @@ impl<const D: usize> Watch<D> {
     }
 }
 
+/// What is known of all cells, other ranks' included.
+struct AllCells<'a, const D: usize> {
+    blocks: &'a Blocks,
+    summaries: &'a [Summary<D>],
+    velocities: &'a [CellVelocities<D>],
+    /// Of each level, m.
+    sides: &'a [f64],
+}
+
 /// The longest step for the particles of one block, s.
-fn limit<const D: usize>(
-    blocks: &Blocks,
-    (block, summaries, velocities): (usize, &[Summary<D>], &[CellVelocities<D>]),
-    sides: &[f64],
-    courant: f64,
-) -> f64 {
+fn limit<const D: usize>(block: usize, cells: &AllCells<D>, courant: f64) -> f64 {
+    let &AllCells { blocks, summaries, velocities, sides } = cells;
     let (speed, smallest) =
         approach(blocks.cells_of(block).iter().map(|&c| &velocities[c as usize]), blocks.layers_of(block));
     let own = if smallest > f64::NEG_INFINITY { -courant * smallest } else { f64::INFINITY };

@@ -33,6 +33,15 @@ const LONG_MESSAGE: usize = 1 << 20;
 /// Characters of a hint's key or value, with a NUL, in any MPI.
 const LONGEST_HINT: usize = 1025;
 
+/// What messages between two ranks take.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Network {
+    /// s for a short one.
+    pub latency: f64,
+    /// bytes/s of long ones.
+    pub bandwidth: f64,
+}
+
 /// All ranks of the job, or one of them alone.
 pub struct Comm {
     universe: Option<mpi::environment::Universe>,
@@ -73,16 +82,16 @@ impl Comm {
                 unsafe { ffi::MPI_Abort(ffi::RSMPI_COMM_WORLD, 101) };
             }));
         }
-        Self::over(raw, (rank, size), Some(universe))
+        Self::over(raw, rank, size, Some(universe))
     }
 
     /// This rank by itself, for work that others take no part in.
     pub fn alone(&self) -> Self {
         // SAFETY: a constant of the MPI library.
-        Self::over(unsafe { ffi::RSMPI_COMM_SELF }, (0, 1), None)
+        Self::over(unsafe { ffi::RSMPI_COMM_SELF }, 0, 1, None)
     }
 
-    fn over(raw: ffi::MPI_Comm, (rank, size): (usize, usize), universe: Option<mpi::environment::Universe>) -> Self {
+    fn over(raw: ffi::MPI_Comm, rank: usize, size: usize, universe: Option<mpi::environment::Universe>) -> Self {
         Self {
             universe,
             raw,
@@ -261,9 +270,9 @@ impl Comm {
         });
     }
 
-    /// Seconds for a short message, and bytes per second of long ones, between the first rank and the last, which where
-    /// there are several machines stand on different ones: the best of many round trips. None on one rank. Collective.
-    pub fn network(&self) -> Option<(f64, f64)> {
+    /// The network between the first rank and the last, which where there are several machines stand on different ones: the best
+    /// of many round trips. None on one rank. Collective.
+    pub fn network(&self) -> Option<Network> {
         if self.size == 1 {
             return None;
         }
@@ -275,7 +284,8 @@ impl Comm {
         let (mut short, mut long) = (trip(8, 500), trip(LONG_MESSAGE, 20));
         self.all_min(&mut short);
         self.all_min(&mut long);
-        Some((short[0], LONG_MESSAGE as f64 / (long[0] - short[0]).max(1e-9)))
+        let bandwidth = LONG_MESSAGE as f64 / (long[0] - short[0]).max(1e-9);
+        Some(Network { latency: short[0], bandwidth })
     }
 
     /// Seconds of a message from the first rank to the last and back; infinite on others.

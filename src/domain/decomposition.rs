@@ -46,22 +46,27 @@ pub struct Space {
     pub periods: Periods,
 }
 
+/// What a decomposition rests on, the same for the whole run.
+#[derive(Debug, Clone, Copy)]
+pub struct Basis {
+    pub handles: Handles,
+    pub space: Space,
+    /// Numbers of a pair record.
+    pub words: usize,
+}
+
 impl<const D: usize> Decomposition<D> {
-    /// Distributes particles that stand on any ranks, and builds on their `build_position`. `space`: the same for the whole
-    /// run; `list_radius`: of an owned particle at its list build, m; `words`: numbers of a pair record. Collective.
-    pub fn new(
-        columns: &mut Columns,
-        (handles, space, words): (Handles, Space, usize),
-        list_radius: ListRadius,
-        comm: &Comm,
-    ) -> Self {
+    /// Distributes particles that stand on any ranks, and builds on their `build_position`. `list_radius`: of an owned particle at
+    /// its list build, m. Collective.
+    pub fn new(columns: &mut Columns, basis: Basis, list_radius: ListRadius, comm: &Comm) -> Self {
+        let Basis { handles, space, words } = basis;
         let costs = vec![1; columns.len()];
         let bisection = Bisection::new(columns.numbers(handles.build_position.index), &costs, comm.size(), comm);
         let extents = Extent::all(&[], comm);
         let mut new = Self {
             bisection,
             local: Local::default(),
-            ghosts: Ghosts::build::<D>(&[], &extents, (words, &Periods::OPEN), comm).0,
+            ghosts: Ghosts::build::<D>(&[], &extents, words, &Periods::OPEN, comm).0,
             watch: Watch::build(&space.lattice, &[], &extents, comm),
             migrated: 0,
             space,
@@ -85,13 +90,13 @@ impl<const D: usize> Decomposition<D> {
         let mut sites = large_pages::with_capacity(columns.len());
         self.each(columns, list_radius, |site| site).collect_into_vec(&mut sites);
         let extents = Extent::all(&sites, comm);
-        let (ghosts, incoming) = Ghosts::build(&sites, &extents, (self.ghosts.words, &self.space.periods), comm);
+        let (ghosts, incoming) = Ghosts::build(&sites, &extents, self.ghosts.words, &self.space.periods, comm);
         self.ghosts = ghosts;
-        self.local.build_placed(&self.space.lattice, (&sites, places), &incoming);
+        self.local.build_placed(&self.space.lattice, &sites, places, &incoming);
         let radii = sites.iter().map(|site| site.radius).collect();
         drop(sites);
         let places = self.local.slot_of_owned.iter().map(|&slot| self.local.places[slot as usize]);
-        self.watch = Watch::build_placed(&self.space.lattice, (radii, places), &extents, comm);
+        self.watch = Watch::build_placed(&self.space.lattice, radii, places, &extents, comm);
     }
 
     /// Brings columns into canonical order and says where the particles stand in it.

@@ -96,7 +96,8 @@ impl Ghosts {
     pub fn build<const D: usize>(
         owned: &[Site<D>],
         extents: &[Extent<D>],
-        (words, periods): (usize, &Periods),
+        words: usize,
+        periods: &Periods,
         comm: &Comm,
     ) -> (Self, Vec<Site<D>>) {
         let mine = &extents[comm.rank()];

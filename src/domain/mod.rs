@@ -11,8 +11,8 @@ pub mod watch;
 
 pub use bisection::Bisection;
 pub use closing::{Closing, Moving};
-pub use comm::{Comm, Exchange};
-pub use decomposition::{Decomposition, Handles, Space};
+pub use comm::{Comm, Exchange, Network};
+pub use decomposition::{Basis, Decomposition, Handles, Space};
 pub use ghosts::Ghosts;
 pub use velocities::relative;
 pub use watch::{Displacements, Watch};

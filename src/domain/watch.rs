@@ -170,13 +170,14 @@ impl<const D: usize> Watch<D> {
     /// `owned`: in canonical order. Collective.
     pub fn build(lattice: &Lattice, owned: &[Site<D>], extents: &[Extent<D>], comm: &Comm) -> Self {
         let radii = owned.iter().map(|site| site.radius).collect();
-        Self::build_placed(lattice, (radii, owned.iter().map(|site| lattice.place(site))), extents, comm)
+        Self::build_placed(lattice, radii, owned.iter().map(|site| lattice.place(site)), extents, comm)
     }
 
     /// The same from list radii and places alone. Collective.
     pub fn build_placed(
         lattice: &Lattice,
-        (radii, places): (Vec<f64>, impl Iterator<Item = Place>),
+        radii: Vec<f64>,
+        places: impl Iterator<Item = Place>,
         extents: &[Extent<D>],
         comm: &Comm,
     ) -> Self {
@@ -196,7 +197,7 @@ impl<const D: usize> Watch<D> {
             extents.iter().enumerate().filter(|(rank, extent)| *rank != comm.rank() && !extent.is_empty())
         {
             let start = send_cells.len();
-            send_cells.extend(cells_near(lattice, (&cells, &levels), extent));
+            send_cells.extend(cells_near(lattice, &cells, &levels, extent));
             let sent = &send_cells[start..];
             if !sent.is_empty() {
                 let level_of = |cell: u32| levels.partition_point(|&start| start <= cell as usize) as u64 - 1;
@@ -425,7 +426,7 @@ fn own_cells<const D: usize>(places: impl Iterator<Item = Place>, count: usize, 
 }
 
 /// Own cells at most two away from the cells that a rank's box covers.
-fn cells_near<const D: usize>(lattice: &Lattice, (cells, levels): (&[Cell], &[usize]), extent: &Extent<D>) -> Vec<u32> {
+fn cells_near<const D: usize>(lattice: &Lattice, cells: &[Cell], levels: &[usize], extent: &Extent<D>) -> Vec<u32> {
     let (low, high) = (lattice.coordinates(&extent.low), lattice.coordinates(&extent.high));
     let mut near = Vec::new();
     for (level, range) in (0u32..).zip(levels.windows(2)) {

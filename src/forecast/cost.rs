@@ -6,7 +6,7 @@ use toml::{Table, Value};
 
 use super::model::{self, Load, Step};
 use super::pace::{self, Pace};
-use crate::domain::comm::Comm;
+use crate::domain::comm::{Comm, Network};
 use crate::error::Result;
 use crate::kernel::SUPPORT;
 use crate::material::BodyConstants;
@@ -26,22 +26,21 @@ use crate::warning::Warning;
 /// Impacts that a threshold search usually takes.
 const IMPACTS: f64 = 6.0;
 
-/// Describes the scene and its cost on `ranks` ranks of one thread each, over a `network` of that latency, s, and bandwidth,
-/// bytes/s, where they are given. Collective.
-pub fn check(scene: &Scene, ranks: usize, network: Option<(f64, f64)>, comm: &Comm) -> Result<String> {
+/// Describes the scene and its cost on `ranks` ranks of one thread each, over this network where one is given. Collective.
+pub fn check(scene: &Scene, ranks: usize, network: Option<Network>, comm: &Comm) -> Result<String> {
     let plan = setup::plan(scene, particles(scene, comm)?)?;
     let footprint = Footprint::new(scene, &plan, ranks);
-    let pace = pace::measure(scene, &plan.constants, (footprint.owned, network), comm)?;
+    let pace = pace::measure(scene, &plan.constants, footprint.owned, network, comm)?;
     let life = list_life(scene, &plan).unwrap_or(pace.life);
-    let cost = |footprint: &Footprint, ranks| Step::new(&pace.machine, &load(scene, &plan, footprint, (ranks, life)));
-    let (alone, shared) = (cost(&Footprint::new(scene, &plan, 1), 1), cost(&footprint, ranks));
+    let cost = |footprint: &Footprint| Step::new(&pace.machine, &load(scene, &plan, footprint, life));
+    let (alone, shared) = (cost(&Footprint::new(scene, &plan, 1)), cost(&footprint));
     let parts = [
         bodies(scene, &plan),
         effects(scene, &plan),
         columns(&plan),
-        memory(&plan, &footprint, ranks),
-        one_step(&alone, &shared, (&pace, life), ranks),
-        time(scene, &plan, &footprint, &pace, (&shared, ranks)),
+        memory(&plan, &footprint),
+        one_step(&alone, &shared, &pace, life, ranks),
+        time(scene, &plan, &footprint, &pace, &shared),
         warned(&warnings::of_scene(scene)),
     ];
     Ok(parts.concat())
@@ -132,9 +131,9 @@ fn rate_of(unit: &str) -> String {
     if unit.is_empty() { "1/s".into() } else { format!("{unit}/s") }
 }
 
-fn memory(plan: &Plan, footprint: &Footprint, ranks: usize) -> String {
+fn memory(plan: &Plan, footprint: &Footprint) -> String {
     let mut text = String::new();
-    let layout = &footprint.layout;
+    let (layout, ranks) = (&footprint.layout, footprint.ranks);
     let mut line = |what: &str, value: String| {
         let _ = writeln!(text, "  {what:<34}{value}");
     };
@@ -158,8 +157,8 @@ fn memory(plan: &Plan, footprint: &Footprint, ranks: usize) -> String {
     format!("\nmemory on {ranks} rank{}\n{text}", if ranks == 1 { "" } else { "s" })
 }
 
-/// What each of `ranks` ranks has to do, with lists that live for so many steps.
-fn load(scene: &Scene, plan: &Plan, footprint: &Footprint, (ranks, life): (usize, f64)) -> Load {
+/// What each rank has to do, with lists that live for so many steps.
+fn load(scene: &Scene, plan: &Plan, footprint: &Footprint, life: f64) -> Load {
     let d = scene.dimension as f64;
     // A cell tells its displacements to two cells' depth; a site is a particle's id, position and radius.
     let watch = 2.0 * footprint.ghosts / footprint.ghosts_per_cell * 8.0 * (2.0 * d + 2.0);
@@ -167,7 +166,7 @@ fn load(scene: &Scene, plan: &Plan, footprint: &Footprint, (ranks, life): (usize
     // Particles move by about the skin between two lists: of a layer as deep as a list radius, that share may change ranks.
     let skin = scene.numerics.skin / (1.0 + scene.numerics.skin);
     Load {
-        ranks,
+        ranks: footprint.ranks,
         owned: footprint.owned,
         ghosts: footprint.ghosts,
         peers: footprint.peers,
@@ -189,7 +188,7 @@ fn list_life(scene: &Scene, plan: &Plan) -> Option<f64> {
     Some((scene.numerics.skin * SUPPORT * h / (speed * step(scene, plan, speed).0)).max(1.0))
 }
 
-fn one_step(alone: &Step, shared: &Step, (pace, life): (&Pace, f64), ranks: usize) -> String {
+fn one_step(alone: &Step, shared: &Step, pace: &Pace, life: f64, ranks: usize) -> String {
     let mut text = String::new();
     let mut line = |what: &str, value: String| {
         let _ = writeln!(text, "  {what:<34}{value}");
@@ -227,14 +226,14 @@ pub fn predict(scene: &Scene, ranks: usize, pace: &Pace, comm: &Comm) -> Result<
     let plan = setup::plan(scene, particles(scene, comm)?)?;
     let footprint = Footprint::new(scene, &plan, ranks);
     let life = list_life(scene, &plan).unwrap_or(pace.life);
-    let cost = Step::new(&pace.machine, &load(scene, &plan, &footprint, (ranks, life)));
-    Ok(Run::new(scene, &plan, &footprint, pace, (&cost, ranks)).price)
+    let cost = Step::new(&pace.machine, &load(scene, &plan, &footprint, life));
+    Ok(Run::new(scene, &plan, &footprint, pace, &cost).price)
 }
 
 /// The pace of a scene. Collective.
-pub fn pace(scene: &Scene, ranks: usize, network: Option<(f64, f64)>, comm: &Comm) -> Result<Pace> {
+pub fn pace(scene: &Scene, ranks: usize, network: Option<Network>, comm: &Comm) -> Result<Pace> {
     let plan = setup::plan(scene, particles(scene, comm)?)?;
-    pace::measure(scene, &plan.constants, (Footprint::new(scene, &plan, ranks).owned, network), comm)
+    pace::measure(scene, &plan.constants, Footprint::new(scene, &plan, ranks).owned, network, comm)
 }
 
 /// How a run will go, as far as it can be known.
@@ -251,16 +250,16 @@ struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    fn new(scene: &'a Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, (cost, ranks): (&Step, usize)) -> Self {
+    fn new(scene: &'a Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, cost: &Step) -> Self {
         let Course { first, limiting, dt, end, why, steps, .. } = Course::new(scene, plan);
-        let (files, bytes) = output(scene, plan, footprint.particles, (end, steps * cost.wall()));
+        let (files, bytes) = output(scene, plan, footprint.particles, end, steps * cost.wall());
         let writing = bytes / pace.machine.files;
         let inside = libm::pow(1.0 + scene.numerics.skin, -(scene.dimension as f64));
         let price = Price {
             particles: footprint.particles,
             steps,
             wall_seconds: steps * cost.wall() + writing,
-            core_seconds: steps * ranks as f64 * cost.work(),
+            core_seconds: steps * footprint.ranks as f64 * cost.work(),
             pair_interactions: steps * footprint.particles as f64 * footprint.neighbours * inside,
         };
         Self { first, limiting, dt, end, why, files, bytes, writing, price }
@@ -343,8 +342,8 @@ fn soft_step(scene: &Scene, plan: &Plan) -> Option<f64> {
     Some(steps.fold(f64::INFINITY, f64::min))
 }
 
-fn time(scene: &Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, (cost, ranks): (&Step, usize)) -> String {
-    let run = Run::new(scene, plan, footprint, pace, (cost, ranks));
+fn time(scene: &Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, cost: &Step) -> String {
+    let (run, ranks) = (Run::new(scene, plan, footprint, pace, cost), footprint.ranks);
     let mut text = String::new();
     let mut line = |what: &str, value: String| {
         let _ = writeln!(text, "  {what:<34}{value}");
@@ -371,17 +370,17 @@ fn time(scene: &Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, (cost, r
     format!("\ntime; core-seconds are without waits of ranks for each other and without output\n{text}")
 }
 
-/// What a run writes, in words and in bytes. `until`: its end in simulated time, s, and in wall time, s.
-fn output(scene: &Scene, plan: &Plan, particles: u64, until: (f64, f64)) -> (String, f64) {
+/// What a run writes, in words and in bytes. `end`: in simulated time, s; `wall`: in wall time, s.
+fn output(scene: &Scene, plan: &Plan, particles: u64, end: f64, wall: f64) -> (String, f64) {
     let entries = &plan.registry.entries;
     let words = |wanted: &dyn Fn(&Entry) -> bool| entries.iter().filter(|e| wanted(e)).map(|e| e.width).sum::<usize>();
     let real = if scene.output.precision == Precision::F32 { 4.0 } else { 8.0 };
     let snapshots = match scene.output.snapshots {
         Snapshots::Never => 0.0,
         Snapshots::AtEnd => 1.0,
-        Snapshots::Every(interval) => (until.0 / interval - 1e-9).ceil() + 1.0,
+        Snapshots::Every(interval) => (end / interval - 1e-9).ceil() + 1.0,
     };
-    let checkpoints = 1.0 + (until.1 / scene.run.checkpoint_every).floor();
+    let checkpoints = 1.0 + (wall / scene.run.checkpoint_every).floor();
     let of_snapshots = snapshots * real * words(&|entry| entry.info.snapshot) as f64;
     let of_checkpoints = checkpoints * 8.0 * words(&|entry| entry.info.life.is_state()) as f64;
     let s = if checkpoints == 1.0 { "" } else { "s" };

@@ -5,7 +5,7 @@ use std::io::Write;
 use std::time::Instant;
 
 use super::model::Machine;
-use crate::domain::comm::Comm;
+use crate::domain::comm::{Comm, Network};
 use crate::error::Result;
 use crate::material::BodyConstants;
 use crate::math::Vec3;
@@ -40,8 +40,8 @@ const PARTS: [&[Phase]; 6] = [
 ];
 /// Steps from one evaluation of gravity to the next, while it is timed.
 const GRAVITY_EVERY: f64 = 4.5;
-/// A network between machines as clusters have it, s and bytes/s, where nothing is measured or said.
-const NETWORK: (f64, f64) = (2e-6, 5e9);
+/// A network between machines as clusters have it, where nothing is measured or said.
+const NETWORK: Network = Network { latency: 2e-6, bandwidth: 5e9 };
 /// Bytes written to see how fast files are, and bytes/s where nothing can be written.
 const FILE: usize = 16 << 20;
 const FILES: f64 = 5e8;
@@ -60,24 +60,26 @@ pub struct Pace {
     pub files_by: &'static str,
 }
 
-/// Measures with particles of the scene's largest body, `owned` on each rank of one thread: the mean of all ranks. `network`:
-/// latency and bandwidth, where they are given. Collective.
+/// Measures with particles of the scene's largest body, `owned` on each rank of one thread: the mean of all ranks. The network is
+/// measured where none is given. Collective.
 pub fn measure(
     scene: &Scene,
     constants: &[BodyConstants],
-    (owned, network): (f64, Option<(f64, f64)>),
+    owned: f64,
+    network: Option<Network>,
     comm: &Comm,
 ) -> Result<Pace> {
     match scene.dimension {
-        2 => measure_in::<2>(scene, constants, (owned, network), comm),
-        _ => measure_in::<3>(scene, constants, (owned, network), comm),
+        2 => measure_in::<2>(scene, constants, owned, network, comm),
+        _ => measure_in::<3>(scene, constants, owned, network, comm),
     }
 }
 
 fn measure_in<const D: usize>(
     scene: &Scene,
     constants: &[BodyConstants],
-    (owned, network): (f64, Option<(f64, f64)>),
+    owned: f64,
+    network: Option<Network>,
     comm: &Comm,
 ) -> Result<Pace> {
     let plan = setup::plan(scene, constants.to_vec())?;
@@ -104,7 +106,7 @@ fn measure_in<const D: usize>(
         stepper.totals();
         times.note(&stepper.phases);
     }
-    let (entries, _) = stepper.neighbourhood.list_size();
+    let entries = stepper.neighbourhood.list_size().entries;
     let owned = particles as f64;
     let mut sums = times.of_parts().map(|seconds| (1e9 * seconds) as i64);
     comm.all_sum(&mut sums);
@@ -124,8 +126,8 @@ fn measure_in<const D: usize>(
         ordering: ordering / owned,
         totals: totals / owned,
         gravity: gravity / owned,
-        latency: network.0,
-        bandwidth: network.1,
+        latency: network.latency,
+        bandwidth: network.bandwidth,
         files: files.unwrap_or(FILES),
     };
     Ok(Pace {

@@ -124,7 +124,8 @@ impl Ground<'_> {
 /// Evaluates the state of all ranks. Collective.
 pub fn evaluate(
     comm: &Comm,
-    (columns, core): (&Columns, &Core),
+    columns: &Columns,
+    core: &Core,
     constants: &[BodyConstants],
     question: &Question,
 ) -> CraterEvaluation {
@@ -139,8 +140,8 @@ pub fn evaluate(
     let ejecta = Ejecta::count(comm, ground.particles());
     let fastest = question.ejection_speed.unwrap_or(f64::INFINITY);
     let dense = ground.particles().filter(|particle| particle.relative_density > THIN && particle.speed <= fastest);
-    let bowl = Bowl::measure(comm, dense, (spacing, question.extent), columns.registry.dimension);
-    let pores = has_pores.then(|| Pores::measure(comm, ground.particles(), (spacing, question.extent)));
+    let bowl = Bowl::measure(comm, dense, spacing, question.extent, columns.registry.dimension);
+    let pores = has_pores.then(|| Pores::measure(comm, ground.particles(), spacing, question.extent));
     let [depth, radius] = bowl.size();
     let crater = Crater {
         ejected: question.ejection_speed.map(|speed| ejected(comm, ground.particles(), speed)),

@@ -33,7 +33,7 @@ pub fn distributions(comm: &Comm, evaluation: &Evaluation, dimension: usize) -> 
     let by_size = |piece: &Piece| -libm::log2(piece.mass / total);
     let sizes = Bins::count(comm, &evaluation.pieces, by_size);
     let fastest = 0.5 * BINS as f64 + SLOWEST_EXPONENT;
-    let by_speed = |piece: &Piece| 2.0 * (fastest - libm::log2((piece.velocity - evaluation.frame.1).norm()));
+    let by_speed = |piece: &Piece| 2.0 * (fastest - libm::log2((piece.velocity - evaluation.centre.velocity).norm()));
     let velocities = Bins::count(comm, &evaluation.pieces, by_speed);
     if !comm.is_root() {
         return Distributions::default();
@@ -92,8 +92,8 @@ const RECORD: usize = 9;
 
 fn record(evaluation: &Evaluation, i: usize, dimension: usize) -> [u64; RECORD] {
     let piece = &evaluation.pieces[i];
-    let velocity = piece.velocity - evaluation.frame.1;
-    let distance = (piece.position - evaluation.frame.0).norm();
+    let velocity = piece.velocity - evaluation.centre.velocity;
+    let distance = (piece.position - evaluation.centre.position).norm();
     let numbers = [piece.mass, diameter(piece.volume, dimension), velocity.x, velocity.y, velocity.z, distance];
     let mut words = [piece.label, piece.count, 0, 0, 0, 0, 0, 0, u64::from(evaluation.in_largest[i])];
     words[2..8].iter_mut().zip(numbers).for_each(|(word, number)| *word = number.to_bits());

@@ -232,7 +232,8 @@ fn around(points: &[Point]) -> [[f64; 3]; 2] {
 pub fn pieces(
     comm: &Comm,
     scale: &Scale,
-    (particles, labels): (&[Particle], &[Option<u64>]),
+    particles: &[Particle],
+    labels: &[Option<u64>],
     bodies: [usize; 2],
 ) -> Vec<Piece> {
     let mut parts: BTreeMap<u64, (Tally, bool)> = BTreeMap::new();

@@ -63,7 +63,8 @@ pub struct Particle {
 pub fn particles(
     columns: &Columns,
     core: &Core,
-    (constants, whole): (&[BodyConstants], &[usize]),
+    constants: &[BodyConstants],
+    whole: &[usize],
     damage: impl Fn(usize, usize) -> f64,
 ) -> Vec<Particle> {
     let sizes: Vec<(f64, f64)> = constants
@@ -189,6 +190,15 @@ pub struct Strict {
     pub fragments: u64,
 }
 
+/// Where a centre of mass is and how it moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CentreOfMass {
+    /// m.
+    pub position: Vec3,
+    /// m/s.
+    pub velocity: Vec3,
+}
+
 /// An outcome and the pieces it was read from.
 pub struct Evaluation {
     pub outcome: Outcome,
@@ -196,8 +206,8 @@ pub struct Evaluation {
     pub pieces: Vec<Piece>,
     /// Which of them belong to the largest remnant.
     pub in_largest: Vec<bool>,
-    /// Centre of mass of everything and its velocity.
-    pub frame: (Vec3, Vec3),
+    /// Of everything.
+    pub centre: CentreOfMass,
     /// Mass of everything, kg.
     pub mass: f64,
 }
@@ -238,8 +248,8 @@ pub fn evaluate(comm: &Comm, particles: &[Particle], question: &Question) -> Eva
         strict,
         bodies: Vec::new(),
     };
-    let frame = (total.position(&scale), total.velocity(&scale));
-    Evaluation { outcome, pieces: usual.pieces, in_largest: usual.in_largest, frame, mass }
+    let centre = CentreOfMass { position: total.position(&scale), velocity: total.velocity(&scale) };
+    Evaluation { outcome, pieces: usual.pieces, in_largest: usual.in_largest, centre, mass }
 }
 
 /// Pieces at one threshold of damage, and the largest remnant among them.
@@ -256,7 +266,7 @@ struct Remnants {
 impl Remnants {
     /// `labels`: of the fragment that each particle belongs to, if any.
     fn find(comm: &Comm, particles: &[Particle], scale: &Scale, labels: &[Option<u64>], question: &Question) -> Self {
-        let pieces = fragments::pieces(comm, scale, (particles, labels), question.bodies);
+        let pieces = fragments::pieces(comm, scale, particles, labels, question.bodies);
         Self::among(comm, pieces, question)
     }
 

@@ -52,7 +52,7 @@ pub fn spheres(comm: &Comm, particles: &[Particle], choice: &Choice) -> (Vec<Sph
     let total = tally::total(comm, &scale, particles, NONE);
     let (centre, motion) = (total.position(&scale), total.velocity(&scale));
     let labels = fragments::labels(comm, particles, Link::Slow(LINK_DAMAGE));
-    let pieces = fragments::pieces(comm, &scale, (particles, &labels), NONE);
+    let pieces = fragments::pieces(comm, &scale, particles, &labels, NONE);
     let large = pieces.iter().filter(|piece| piece.count >= choice.smallest);
     let least = least_listed(comm, large.map(rank_of).collect(), choice.most);
     let mut sums = [const { ExactSum::new() }; 5];

@@ -28,7 +28,8 @@ pub struct Origin {
 pub fn by_body(
     comm: &Comm,
     particles: &[Particle],
-    (evaluation, question): (&Evaluation, &Question),
+    evaluation: &Evaluation,
+    question: &Question,
     masses: &[f64],
 ) -> Vec<Origin> {
     let others = (0..masses.len()).filter(|body| !question.bodies.contains(body)).take(MOST_OTHERS);
@@ -39,7 +40,7 @@ pub fn by_body(
     let tell = |&body: &usize| {
         // The body alone is asked about.
         let alone = Question { bodies: [body, usize::MAX], others: true, target_mass: masses[body], ..*question };
-        let pieces = fragments::pieces(comm, &scale, (particles, &labels), alone.bodies);
+        let pieces = fragments::pieces(comm, &scale, particles, &labels, alone.bodies);
         tell(comm, pieces, evaluation, &alone)
     };
     bodies.iter().map(tell).collect()

@@ -90,7 +90,8 @@ impl Bowl {
     pub fn measure(
         comm: &Comm,
         dense: impl Iterator<Item = TargetParticle>,
-        (spacing, extent): (f64, f64),
+        spacing: f64,
+        extent: f64,
         dimension: usize,
     ) -> Self {
         let side = bins(extent, WIDTH * spacing).min(MOST_CELLS);
@@ -155,11 +156,7 @@ pub struct PoresRow {
 
 impl Pores {
     /// Collective.
-    pub fn measure(
-        comm: &Comm,
-        particles: impl Iterator<Item = TargetParticle>,
-        (spacing, extent): (f64, f64),
-    ) -> Self {
+    pub fn measure(comm: &Comm, particles: impl Iterator<Item = TargetParticle>, spacing: f64, extent: f64) -> Self {
         let bins = bins(extent, spacing);
         let mut sums = vec![ExactSum::new(); 2 * bins];
         let mut ends = vec![f64::INFINITY; 2 * bins];

@@ -42,7 +42,7 @@ impl Remnant {
         for piece in evaluation.pieces.iter().zip(&evaluation.in_largest).filter(|(_, member)| **member).map(|(p, _)| p)
         {
             // Near the centre of mass of everything little is lost when the remnant's own motion is taken off.
-            let v = piece.velocity - evaluation.frame.1;
+            let v = piece.velocity - evaluation.centre.velocity;
             let p = piece.mass * v;
             let values = [piece.mass, 0.5 * piece.mass * v.norm_squared(), p.x, p.y, p.z, piece.volume];
             sums.iter_mut().zip(values).for_each(|(sum, value)| sum.add(value));

@@ -57,7 +57,7 @@ impl Vapour {
     }
 
     /// Damage of particle `i` of `body` as fragments see it: whole where it is vapour.
-    pub fn damage(&self, columns: &Columns, (i, body): (usize, usize), damage: f64) -> f64 {
+    pub fn damage(&self, columns: &Columns, i: usize, body: usize, damage: f64) -> f64 {
         let u = self.energy.map_or(0.0, |column| columns.get(column, i));
         // Bodies without pores have a distention of one.
         let distention = self.distention.map_or(1.0, |column| columns.get(column, i)).max(1.0);

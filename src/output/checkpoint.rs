@@ -94,7 +94,7 @@ fn fill(
     meta: &CheckpointMeta,
     comm: &Comm,
 ) -> Result<()> {
-    let (_, particles) = file.places(columns.len());
+    let particles = file.places(columns.len()).total;
     let header = Header { dimension: columns.registry.dimension, particles: particles as u64, meta: meta.clone() };
     write_header(file, &header, comm)?;
     file.group("/columns")?;

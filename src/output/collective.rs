@@ -56,6 +56,15 @@ pub enum Value<'a> {
     Ascii8(&'a str),
 }
 
+/// Rows of a dataset that all ranks have parts of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RowPlaces {
+    /// On the ranks before this one.
+    pub before: usize,
+    /// On all ranks.
+    pub total: usize,
+}
+
 /// An open file. Close it with [`CollectiveFile::close`], before MPI ends.
 pub struct CollectiveFile<'a> {
     file: hdf5::File,
@@ -143,7 +152,7 @@ impl<'a> CollectiveFile<'a> {
     /// Writes a dataset of rows of `width` numbers, each rank's rows after those of the ranks before it; a rank may have
     /// none. `gzip` is the level of compression, from 1 to 9.
     pub fn write<T: H5Type>(&self, path: &str, values: &[T], width: usize, gzip: Option<u8>) -> Result<()> {
-        let (start, total) = self.places(values.len() / width);
+        let RowPlaces { before: start, total } = self.places(values.len() / width);
         let dataset = self.agree("create the dataset", path, self.create_dataset::<T>(path, total, width, gzip))?;
         let rows = start..start + values.len() / width;
         moment::reach(Moment::Writing);
@@ -180,11 +189,11 @@ impl<'a> CollectiveFile<'a> {
         self.comm.is_root()
     }
 
-    /// Rows on the ranks before this one, and on all of them.
-    pub fn places(&self, mine: usize) -> (usize, usize) {
+    /// Where the rows of a dataset stand of which this rank has so many. Collective.
+    pub fn places(&self, mine: usize) -> RowPlaces {
         let counts = self.comm.all_gather(&[mine as u64]);
         let before = counts[..self.comm.rank()].iter().sum::<u64>();
-        (before as usize, counts.iter().sum::<u64>() as usize)
+        RowPlaces { before: before as usize, total: counts.iter().sum::<u64>() as usize }
     }
 
     /// Rows of a dataset.

@@ -68,8 +68,8 @@ impl Snapshot<'_> {
 
     fn write_geometry(&self, file: &CollectiveFile) -> Result<()> {
         let columns = self.columns;
-        let (start, total) = file.places(columns.len());
-        let (start, total) = (start as i64, total as i64);
+        let places = file.places(columns.len());
+        let (start, total) = (places.before as i64, places.total as i64);
         file.group("/VTKHDF")?;
         file.attribute("/VTKHDF", "Version", Value::Integers(&[2, 0]))?;
         file.attribute("/VTKHDF", "Type", Value::Ascii8("PolyData"))?;

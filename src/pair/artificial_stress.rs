@@ -75,7 +75,8 @@ pub unsafe fn apply<L: Lanes, K: Shape, const D: usize>(
 #[inline(always)]
 pub unsafe fn tension<L: Lanes, K: Shape, const D: usize>(
     pair: &Pair<L, D>,
-    (r_inverse, reference): (L, L),
+    r_inverse: L,
+    reference: L,
     r: &PairStress<L, D>,
 ) -> L {
     unsafe {

@@ -114,32 +114,38 @@ pub unsafe fn interact<L: Lanes, F: Form, const D: usize>(
     sums: &mut Sums<L, D>,
 ) {
     unsafe {
-        let (mut pair, narrow) = meet::<L, F, D>(i, j, sums);
-        let resistance = resist::<L, F, D>(i, j, (&pair, &narrow), fixed, sums);
-        let shares = find_slope::<L, F, D>(i, j, (&mut pair, &narrow), (fixed, resistance.r_inverse));
-        let straining = if F::TERMS.contrast() { contrast::straining(shares[0], &pair) } else { pair.gradient };
+        let mut meeting = meet::<L, F, D>(i, j, sums);
+        let resistance = resist::<L, F, D>(&meeting, fixed, sums);
+        find_slope::<L, F, D>(&mut meeting, fixed, resistance.r_inverse);
+        let pair = &meeting.pair;
+        let straining = if F::TERMS.contrast() { contrast::straining(meeting.shares[0], pair) } else { pair.gradient };
         let acting = match F::TERMS.stress {
-            StressTerm::Tensor { .. } => add_tensor::<L, F, D>(i, j, (&pair, shares), (fixed, &resistance), sums),
-            StressTerm::Pressure { .. } => add_pressure::<L, F, D>(i, j, (&pair, shares), &resistance, sums),
+            StressTerm::Tensor { .. } => add_tensor::<L, F, D>(&meeting, fixed, &resistance, sums),
+            StressTerm::Pressure { .. } => add_pressure::<L, F, D>(&meeting, &resistance, sums),
         };
-        add_gradient(&pair, &straining, sums);
+        add_gradient(pair, &straining, sums);
         if F::TERMS.dissipates() {
             sums.dissipation = acting.pressure.mul(pair.v_dot_x).sub(acting.taken).fma(pair.slope, sums.dissipation);
         }
         if F::TERMS.corrects() {
-            add_moment(&pair, &straining, sums);
+            add_moment(pair, &straining, sums);
         }
     }
 }
 
-/// What the kernels of a pair share.
-struct Kernels<L: Lanes> {
+/// Eight pairs: both records, and what the terms share.
+struct Meeting<'a, L: Lanes, const D: usize> {
+    i: &'a Side<L>,
+    j: &'a Side<L>,
+    pair: Pair<L, D>,
     /// 1/h of both, no kernel narrower than two thirds of the other, 1/m.
     h_inverse: [L; 2],
     /// Square of the distance, m^2.
     r2: L,
     /// Lanes inside the larger support.
     inside: L::Mask,
+    /// Shares of both in a pair of very different density; zero before [`find_slope`], and without that term.
+    shares: [L; 2],
 }
 
 /// Where eight pairs stand and how they move; counts those that are inside the larger support.
@@ -147,11 +153,11 @@ struct Kernels<L: Lanes> {
 /// # Safety
 /// As for [`Lanes`].
 #[inline(always)]
-unsafe fn meet<L: Lanes, F: Form, const D: usize>(
-    i: &Side<L>,
-    j: &Side<L>,
+unsafe fn meet<'a, L: Lanes, F: Form, const D: usize>(
+    i: &'a Side<L>,
+    j: &'a Side<L>,
     sums: &mut Sums<L, D>,
-) -> (Pair<L, D>, Kernels<L>) {
+) -> Meeting<'a, L, D> {
     unsafe {
         let layout = F::LAYOUT;
         let mut x = [L::splat(0.0); D];
@@ -176,7 +182,7 @@ unsafe fn meet<L: Lanes, F: Form, const D: usize>(
         let inside = r.mul(wide).less(L::splat(SUPPORT));
         sums.neighbours += L::count(inside);
         let pair = Pair { x, v, r, h_inverse, v_dot_x, gradient: x, slope: L::splat(0.0) };
-        (pair, Kernels { h_inverse: [g_i, g_j], r2, inside })
+        Meeting { i, j, pair, h_inverse: [g_i, g_j], r2, inside, shares: [L::splat(0.0); 2] }
     }
 }
 
@@ -193,14 +199,13 @@ struct Resistance<L: Lanes> {
 /// As for [`Lanes`].
 #[inline(always)]
 unsafe fn resist<L: Lanes, F: Form, const D: usize>(
-    i: &Side<L>,
-    j: &Side<L>,
-    (pair, kernels): (&Pair<L, D>, &Kernels<L>),
+    meeting: &Meeting<L, D>,
     fixed: &Fixed<L>,
     sums: &mut Sums<L, D>,
 ) -> Resistance<L> {
     unsafe {
         let layout = F::LAYOUT;
+        let Meeting { i, j, pair, .. } = meeting;
         let beta = match F::TERMS.viscosity {
             ViscousTerm::Off => {
                 return Resistance { r_inverse: L::splat(1.0).div(pair.r), pressure: L::splat(0.0) };
@@ -213,26 +218,22 @@ unsafe fn resist<L: Lanes, F: Form, const D: usize>(
             alpha_c: i.half(layout.alpha_c()).add(j.half(layout.alpha_c())),
             beta,
         };
-        let out = viscous(pair, kernels.r2, &inputs);
-        sums.approach = sums.approach.max(out.approach.keep(kernels.inside));
+        let out = viscous(pair, meeting.r2, &inputs);
+        sums.approach = sums.approach.max(out.approach.keep(meeting.inside));
         Resistance { r_inverse: out.r_inverse, pressure: out.pressure }
     }
 }
 
-/// The mean of both kernels' slopes, times V_j, into the pair; returns the shares of a pair of very different density.
+/// The mean of both kernels' slopes, times V_j, into the pair, and the shares of a pair of very different density.
 ///
 /// # Safety
 /// As for [`Lanes`].
 #[inline(always)]
-unsafe fn find_slope<L: Lanes, F: Form, const D: usize>(
-    i: &Side<L>,
-    j: &Side<L>,
-    (pair, kernels): (&mut Pair<L, D>, &Kernels<L>),
-    (fixed, r_inverse): (&Fixed<L>, L),
-) -> [L; 2] {
+unsafe fn find_slope<L: Lanes, F: Form, const D: usize>(meeting: &mut Meeting<L, D>, fixed: &Fixed<L>, r_inverse: L) {
     unsafe {
         let layout = F::LAYOUT;
-        let [g_i, g_j] = kernels.h_inverse;
+        let Meeting { i, j, pair, h_inverse: [g_i, g_j], shares, .. } = meeting;
+        let (g_i, g_j) = (*g_i, *g_j);
         let first = slope::<L, F, D>(pair.r, g_i);
         let like = L::count(g_i.min(g_j).less(g_i.max(g_j))) == 0;
         let slopes = first.add(if like { first } else { slope::<L, F, D>(pair.r, g_j) });
@@ -240,9 +241,8 @@ unsafe fn find_slope<L: Lanes, F: Form, const D: usize>(
         for a in 0..D {
             pair.gradient[a] = pair.slope.mul(pair.x[a]);
         }
-        match F::TERMS.contrast() {
-            true => contrast::shares(i.half(layout.density()), j.half(layout.density())),
-            false => [L::splat(0.0); 2],
+        if F::TERMS.contrast() {
+            *shares = contrast::shares(i.half(layout.density()), j.half(layout.density()));
         }
     }
 }
@@ -273,14 +273,14 @@ struct Acting<L: Lanes> {
 /// As for [`Lanes`].
 #[inline(always)]
 unsafe fn add_tensor<L: Lanes, F: Form, const D: usize>(
-    i: &Side<L>,
-    j: &Side<L>,
-    (pair, shares): (&Pair<L, D>, [L; 2]),
-    (fixed, resistance): (&Fixed<L>, &Resistance<L>),
+    meeting: &Meeting<L, D>,
+    fixed: &Fixed<L>,
+    resistance: &Resistance<L>,
     sums: &mut Sums<L, D>,
 ) -> Acting<L> {
     unsafe {
         let layout = F::LAYOUT;
+        let Meeting { i, j, pair, shares, .. } = meeting;
         let mut acting = Acting { pressure: resistance.pressure, taken: L::splat(0.0) };
         let (mut s_i, mut s_j) = (i.stress::<F>(), j.stress::<F>());
         if F::TERMS.contrast() {
@@ -291,8 +291,8 @@ unsafe fn add_tensor<L: Lanes, F: Form, const D: usize>(
             let (from, words) = (layout.artificial(), layout.tensor_words());
             let r_ij = PairStress::<L, D>::sum(&i.halves(from, words), &j.halves(from, words));
             if F::TERMS.angular_momentum() {
-                let at = (resistance.r_inverse, fixed.reference);
-                let tension = artificial_stress::tension::<L, F::Kernel, D>(pair, at, &r_ij);
+                let tension =
+                    artificial_stress::tension::<L, F::Kernel, D>(pair, resistance.r_inverse, fixed.reference, &r_ij);
                 acting.pressure = acting.pressure.sub(tension);
             } else {
                 (stress, acting.taken) =
@@ -318,14 +318,13 @@ unsafe fn add_tensor<L: Lanes, F: Form, const D: usize>(
 /// As for [`Lanes`].
 #[inline(always)]
 unsafe fn add_pressure<L: Lanes, F: Form, const D: usize>(
-    i: &Side<L>,
-    j: &Side<L>,
-    (pair, shares): (&Pair<L, D>, [L; 2]),
+    meeting: &Meeting<L, D>,
     resistance: &Resistance<L>,
     sums: &mut Sums<L, D>,
 ) -> Acting<L> {
     unsafe {
         let from = F::LAYOUT.stress();
+        let Meeting { i, j, pair, shares, .. } = meeting;
         let (mut s_i, mut s_j) = (i.at(from), j.at(from));
         if F::TERMS.contrast() {
             (s_i, s_j) = (s_i.mul(shares[0]), s_j.mul(shares[1]));

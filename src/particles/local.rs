@@ -47,11 +47,11 @@ impl<const D: usize> Local<D> {
     /// Merges `owned`, in canonical order, with the ghosts in order of arrival.
     pub fn build(&mut self, lattice: &Lattice, owned: &[Site<D>], incoming: &[Site<D>]) {
         let places = owned.iter().map(|site| lattice.place(site)).collect();
-        self.build_placed(lattice, (owned, places), incoming);
+        self.build_placed(lattice, owned, places, incoming);
     }
 
     /// The same where places are known.
-    pub fn build_placed(&mut self, lattice: &Lattice, (owned, places): (&[Site<D>], Vec<Place>), incoming: &[Site<D>]) {
+    pub fn build_placed(&mut self, lattice: &Lattice, owned: &[Site<D>], places: Vec<Place>, incoming: &[Site<D>]) {
         self.clear();
         self.reserve(owned.len() + incoming.len());
         if incoming.is_empty() {

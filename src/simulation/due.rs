@@ -25,16 +25,25 @@ impl Due {
     }
 }
 
-/// The step to make where `most` is allowed and the run has to stop at `goal` on its way, and the time after it, s. Two even
-/// steps lead there from less than two steps before, so that none gets tiny.
-pub fn lead(most: f64, time: f64, goal: f64) -> (f64, f64) {
+/// The step that a run makes next.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NextStep {
+    /// s.
+    pub dt: f64,
+    /// The time after it, s: where the run has to stop there, the very number.
+    pub end: f64,
+}
+
+/// The step to make where `most` is allowed and the run has to stop at `goal` on its way, s. Two even steps lead there from less
+/// than two steps before, so that none gets tiny.
+pub fn lead(most: f64, time: f64, goal: f64) -> NextStep {
     let left = goal - time;
     if left > 0.0 && left <= most {
-        (left, goal)
+        NextStep { dt: left, end: goal }
     } else if left > 0.0 && left < 2.0 * most {
-        (0.5 * left, time + 0.5 * left)
+        NextStep { dt: 0.5 * left, end: time + 0.5 * left }
     } else {
-        (most, time + most)
+        NextStep { dt: most, end: time + most }
     }
 }
 
@@ -53,9 +62,9 @@ mod tests {
                     last = Some(time);
                     taken.push(time);
                 }
-                let (step, then) = lead(allowed, time, due.next(last, time));
-                smallest = step.min(smallest);
-                time = then;
+                let next = lead(allowed, time, due.next(last, time));
+                smallest = next.dt.min(smallest);
+                time = next.end;
             }
             assert!(taken.iter().zip(0..).all(|(t, k)| *t == k as f64 * 0.1), "{allowed}");
             assert!(smallest > 0.49 * allowed.min(0.1), "{smallest} of {allowed}");

@@ -17,11 +17,10 @@ use crate::step::phases::Phase;
 
 impl<const D: usize> Run<'_, D> {
     pub(super) fn write_history(&mut self) {
-        let (limit, reason) = self.stepper.tightest_limit();
+        self.limit = self.stepper.tightest_limit();
         let held = self.stepper.settings.motions.is_some();
-        let mut cells = report::history_row(&self.stepper.state, &self.totals, (&limit, reason), (held, D == 2));
+        let mut cells = report::history_row(&self.stepper.state, &self.totals, &self.limit, held, D == 2);
         cells.extend(probes::row(self.scene, &self.stepper, self.comm).into_iter().map(Cell::Real));
-        self.limit = (limit, reason);
         tracing::debug!("{}", self.describe());
         // Rank 0 writes; where it fails, all ranks hear of it with the next step.
         if let Err(error) = self.history.row(&cells) {
@@ -34,9 +33,9 @@ impl<const D: usize> Run<'_, D> {
         let (columns, settings) = (&self.stepper.columns, &self.stepper.settings);
         let materials = self.scene.bodies.iter().map(|body| &self.scene.materials[body.material]);
         let vapour = Vapour::new(&columns.registry, &settings.view.core, materials);
-        let damage = |i, body| vapour.damage(columns, (i, body), settings.view.damage(columns, i, body));
+        let damage = |i, body| vapour.damage(columns, i, body, settings.view.damage(columns, i, body));
         let whole: Vec<usize> = self.scene.bodies.iter().enumerate().map(|(n, body)| body.whole(n)).collect();
-        outcome::particles(columns, &settings.view.core, (&settings.view.constants, &whole), damage)
+        outcome::particles(columns, &settings.view.core, &settings.view.constants, &whole, damage)
     }
 
     pub(super) fn evaluate_outcome(&mut self) -> Evaluation {

@@ -9,6 +9,7 @@ use super::run::{Ended, Run, RunReport};
 use super::state::End;
 use super::summary;
 use super::warnings;
+use crate::comparison::Noted;
 use crate::error::{Error, Result};
 use crate::outcome::distributions::distributions;
 use crate::outcome::origin;
@@ -25,8 +26,8 @@ impl<const D: usize> Run<'_, D> {
             let mut evaluation = self.evaluate_outcome();
             let whole = self.scene.bodies.iter().enumerate().filter(|(n, body)| body.whole(*n) == *n);
             let masses: Vec<f64> = whole.map(|(_, body)| body.whole_mass()).collect();
-            let asked = (&evaluation, &self.question());
-            evaluation.outcome.bodies = origin::by_body(self.comm, &self.particles(), asked, &masses);
+            evaluation.outcome.bodies =
+                origin::by_body(self.comm, &self.particles(), &evaluation, &self.question(), &masses);
             let tables = distributions(self.comm, &evaluation, D);
             let named = [
                 ("fragments.csv", tables.fragments),
@@ -76,8 +77,12 @@ impl<const D: usize> Run<'_, D> {
     /// Errors against the solution that the scene names; their figures go into the directory that is given. Collective.
     fn errors(&self, directory: Option<&Path>) -> Result<Figures> {
         let Some(comparison) = &self.comparison else { return Ok(Figures::default()) };
-        let noted = (self.stepper.state.time, self.state.conservation.angular_momentum, &self.state.vibration[..]);
-        comparison.finish(&self.stepper, noted, directory, self.comm)
+        let noted = Noted {
+            time: self.stepper.state.time,
+            angular_momentum: self.state.conservation.angular_momentum,
+            samples: &self.state.vibration,
+        };
+        comparison.finish(&self.stepper, &noted, directory, self.comm)
     }
 
     /// Evaluates what there is to evaluate, and writes it. Where a run is resumed at its very end, the same files come again.
@@ -124,8 +129,9 @@ impl<const D: usize> Run<'_, D> {
                 or_warn(drawn);
             }
         }
-        let said = (self.state.crater.as_ref(), warnings::of_scene(self.scene).len());
-        summary::print(&summary, said, &self.options.directory, self.comm.is_root());
+        let said = warnings::of_scene(self.scene).len();
+        let crater = self.state.crater.as_ref();
+        summary::print(&summary, crater, said, &self.options.directory, self.comm.is_root());
         told.and(failed).and(shown).and(written).map_err(|error| match safe {
             true => Error { what: error.what + "; the last checkpoint and summary.json are written", ..error },
             false => error,

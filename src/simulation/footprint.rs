@@ -29,6 +29,7 @@ const LIBRARIES: f64 = 1e7;
 /// Memory of one of equally loaded ranks.
 #[derive(Debug, Clone)]
 pub struct Footprint {
+    pub ranks: usize,
     /// Particles of all ranks.
     pub particles: u64,
     /// Particles that a rank owns.
@@ -83,7 +84,7 @@ impl Footprint {
             ("libraries", LIBRARIES),
         ];
         let ghosts_per_cell = reach.powi(dimension as i32);
-        Self { particles, owned, ghosts, peers: peers(&cuts), ghosts_per_cell, neighbours, row, parts, layout }
+        Self { ranks, particles, owned, ghosts, peers: peers(&cuts), ghosts_per_cell, neighbours, row, parts, layout }
     }
 
     /// Bytes of a rank.

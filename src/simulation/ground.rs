@@ -14,8 +14,8 @@ impl<const D: usize> Run<'_, D> {
     /// The crater as it is now, where the scene hits a flat face. Collective.
     pub(super) fn crater(&self) -> Option<CraterEvaluation> {
         let question = question(self.scene)?;
-        let particles = (&self.stepper.columns, &self.stepper.settings.view.core);
-        Some(crater::evaluate(self.comm, particles, &self.stepper.settings.view.constants, &question))
+        let (columns, view) = (&self.stepper.columns, &self.stepper.settings.view);
+        Some(crater::evaluate(self.comm, columns, &view.core, &view.constants, &question))
     }
 
     /// ejecta.png, and distention.png of ground with pores; for one rank.
@@ -68,6 +68,10 @@ pub fn figures(crater: &Crater) -> Vec<(String, f64)> {
     figures
 }
 
+fn axis(label: &str, logarithmic: bool) -> Axis {
+    Axis { label: label.into(), logarithmic }
+}
+
 /// Where and under which title figures are drawn.
 struct Drawer<'a> {
     title: &'a str,
@@ -76,9 +80,8 @@ struct Drawer<'a> {
 }
 
 impl Drawer<'_> {
-    fn figure(&self, x: (&str, bool), y: (&str, bool), series: Vec<Series>) -> Figure {
-        let axis = |(label, logarithmic): (&str, bool)| Axis { label: label.into(), logarithmic };
-        Figure { title: self.title.into(), x: axis(x), y: axis(y), series }
+    fn figure(&self, x: Axis, y: Axis, series: Vec<Series>) -> Figure {
+        Figure { title: self.title.into(), x, y, series }
     }
 
     /// Volume where there is one that was compacted to compare it with, else mass.
@@ -98,7 +101,7 @@ impl Drawer<'_> {
             Some(_) => format!("Volume before the impact [{cubic}]"),
             None => "Mass [kg]".to_string(),
         };
-        let figure = self.figure(("Upward speed [m/s]", true), (&what, true), series);
+        let figure = self.figure(axis("Upward speed [m/s]", true), axis(&what, true), series);
         figure.draw(&self.directory.join("ejecta.png"))
     }
 
@@ -115,7 +118,8 @@ impl Drawer<'_> {
             line("least", |row| row.least, Mark::Dashed),
             line("largest", |row| row.largest, Mark::Dashed),
         ];
-        let figure = self.figure(("Depth below the point of impact [m]", false), ("Distention", false), series);
+        let depth = axis("Depth below the point of impact [m]", false);
+        let figure = self.figure(depth, axis("Distention", false), series);
         figure.draw(&self.directory.join("distention.png"))
     }
 }

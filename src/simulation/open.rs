@@ -16,7 +16,7 @@ use crate::particles::ParticleId;
 use crate::process::faults::Fault;
 use crate::process::{log, resources};
 use crate::scene::Scene;
-use crate::step::time_step::Limit;
+use crate::step::time_step::{Limit, NamedLimit};
 use crate::step::{Counters, Stepper};
 use crate::warning;
 
@@ -101,7 +101,7 @@ impl<'a, const D: usize> Run<'a, D> {
             products: Products::default(),
             last: None,
             collapse: Collapse::default(),
-            limit: (Limit { id: ParticleId(0), ..Limit::NONE }, ""),
+            limit: NamedLimit { limit: Limit { id: ParticleId(0), ..Limit::NONE }, reason: "" },
         })
     }
 

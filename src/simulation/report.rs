@@ -14,7 +14,7 @@ use crate::output::figures::raster::Plane;
 use crate::output::summary::{Accuracy, Figures};
 use crate::scene::Scene;
 use crate::step::packing::Packing;
-use crate::step::time_step::Limit;
+use crate::step::time_step::NamedLimit;
 use crate::step::{StepState, Stepper, Totals};
 
 /// Names and units of history.csv.
@@ -61,9 +61,11 @@ pub fn history_columns(effects: &[Box<dyn MaterialEffect>], prescribed: bool, sc
 pub fn history_row(
     state: &StepState,
     totals: &Totals,
-    (limit, reason): (&Limit, &str),
-    (prescribed, planar): (bool, bool),
+    limited: &NamedLimit,
+    prescribed: bool,
+    planar: bool,
 ) -> Vec<Cell> {
+    let NamedLimit { limit, reason } = limited;
     let mut cells = vec![
         Cell::Integer(state.step),
         Cell::Real(state.time),
@@ -109,8 +111,8 @@ pub fn draw_cut<const D: usize>(source: &PictureSource<D>, comm: &Comm) -> Resul
         ejected: scene.outcome.map(|asked| (up, asked.ejection_speed)),
         distention: scene.bodies.iter().fold(1.0, |most: f64, body| most.max(body.distention)),
     };
-    let particles = (&source.stepper.columns, &source.stepper.settings.view.constants[..]);
-    cut::draw(&source.directory.join("outcome.png"), &picture, particles, comm)
+    let (columns, bodies) = (&source.stepper.columns, &source.stepper.settings.view.constants);
+    cut::draw(&source.directory.join("outcome.png"), &picture, columns, bodies, comm)
 }
 
 /// Whether angular momentum is conserved: not where walls hold something, space closes on itself or has a below.
@@ -140,6 +142,7 @@ pub struct Report<'a, 'c, const D: usize> {
 mod tests {
     use super::*;
     use crate::particles::ParticleId;
+    use crate::step::time_step::Limit;
 
     /// A row by the names of its columns.
     fn row(dimension: usize, prescribed: bool) -> Vec<(String, Cell)> {
@@ -161,7 +164,8 @@ mod tests {
             ..Totals::default()
         };
         let limit = Limit { id: ParticleId::new(2, 99), ..Limit::NONE };
-        let cells = history_row(&state, &totals, (&limit, "sound"), (prescribed, dimension == 2));
+        let limited = NamedLimit { limit, reason: "sound" };
+        let cells = history_row(&state, &totals, &limited, prescribed, dimension == 2);
         let names = history_columns(&[], prescribed, &scene);
         assert_eq!(names.len(), cells.len(), "{names:?}");
         names.into_iter().map(|(name, _)| name).zip(cells).collect()

@@ -16,7 +16,7 @@ use crate::output::{History, Summary};
 use crate::process::faults::Fault;
 use crate::scene::Scene;
 use crate::step::packing::Packing;
-use crate::step::time_step::Limit;
+use crate::step::time_step::NamedLimit;
 use crate::step::{Stepper, Totals};
 
 /// How a run is to be done; the scene says what.
@@ -75,7 +75,7 @@ pub(super) struct Run<'a, const D: usize> {
     pub(super) last: Option<u64>,
     pub(super) collapse: Collapse,
     /// What limits the time step.
-    pub(super) limit: (Limit, &'static str),
+    pub(super) limit: NamedLimit,
 }
 
 /// What is still to be written of an outcome.

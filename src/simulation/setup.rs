@@ -239,8 +239,8 @@ impl Plan {
                 }
             }
             if let (Some(blast), Some(u)) = (body.blast, internal_energy) {
-                let mass = self.constants[number].particle_mass;
-                heat(&mut columns, first.., (core.position, u), (body, &blast, mass), comm);
+                let heated = Heated { body, blast: &blast, particle_mass: self.constants[number].particle_mass };
+                heated.heat(&mut columns, first, core.position, u, comm);
             }
         }
         Ok((columns, self.settings(scene)))
@@ -274,27 +274,32 @@ impl Plan {
     }
 }
 
-/// Adds the energy of a blast to the particles of its body from `range` on; the sum over all ranks is exact to rounding.
-/// Collective.
-fn heat(
-    columns: &mut Columns,
-    range: std::ops::RangeFrom<usize>,
-    (position, energy): (Column<Vec3>, Column<f64>),
-    (body, blast, mass): (&Body, &Blast, f64),
-    comm: &Comm,
-) {
-    let h = 0.5 * blast.radius;
-    let shares: Vec<f64> = (range.start..columns.len())
-        .map(|i| {
-            let r = columns.get(position, i) - Vec3::from(body.centre);
-            CubicSpline::value(r.norm() / h)
-        })
-        .collect();
-    let mut sum = ExactSum::new();
-    shares.iter().for_each(|share| sum.add(*share));
-    let total = comm.sum_exactly(std::slice::from_mut(&mut sum))[0];
-    for (i, share) in range.zip(shares) {
-        columns.set(energy, i, columns.get(energy, i) + blast.energy / mass * (share / total));
+/// A body that a blast heats.
+struct Heated<'a> {
+    body: &'a Body,
+    blast: &'a Blast,
+    /// kg.
+    particle_mass: f64,
+}
+
+impl Heated<'_> {
+    /// Adds the energy of the blast to the particles from `first` on, those of the body; the sum over all ranks is exact to
+    /// rounding. Collective.
+    fn heat(&self, columns: &mut Columns, first: usize, position: Column<Vec3>, energy: Column<f64>, comm: &Comm) {
+        let h = 0.5 * self.blast.radius;
+        let shares: Vec<f64> = (first..columns.len())
+            .map(|i| {
+                let r = columns.get(position, i) - Vec3::from(self.body.centre);
+                CubicSpline::value(r.norm() / h)
+            })
+            .collect();
+        let mut sum = ExactSum::new();
+        shares.iter().for_each(|share| sum.add(*share));
+        let total = comm.sum_exactly(std::slice::from_mut(&mut sum))[0];
+        for (i, share) in (first..).zip(shares) {
+            let added = self.blast.energy / self.particle_mass * (share / total);
+            columns.set(energy, i, columns.get(energy, i) + added);
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The loop over steps: when to write, signals, and the question whether the outcome has settled.
 
-use super::due;
+use super::due::{self, NextStep};
 use super::run::{Ended, Options, Run, RunReport};
 use super::scales::free_fall_time;
 use crate::domain::comm::Comm;
@@ -12,6 +12,7 @@ use crate::process::log::Progress;
 use crate::process::signals;
 use crate::scene::{Scene, Until};
 use crate::step::Failure;
+use crate::step::time_step::NamedLimit;
 
 /// What ranks may request after a step; the largest request counts.
 const CHECKPOINT: u32 = 1;
@@ -42,8 +43,8 @@ impl<'a, const D: usize> Run<'a, D> {
         }
         self.write_snapshot_if_due()?;
         while !self.is_over() {
-            let (dt, then) = self.next_step();
-            let stepped = match self.stepper.step(dt, then, self.request()) {
+            let NextStep { dt, end } = self.next_step();
+            let stepped = match self.stepper.step(dt, end, self.request()) {
                 Ok(stepped) => stepped,
                 Err(failure) => return Err(self.go_back(&failure)),
             };
@@ -76,12 +77,17 @@ impl<'a, const D: usize> Run<'a, D> {
         self.finish()
     }
 
-    /// Seconds of the next step, and the time after it: the last one ends on the dot, and so does one before a snapshot.
-    fn next_step(&self) -> (f64, f64) {
+    /// The last step ends on the dot, and so does one before a snapshot.
+    fn next_step(&self) -> NextStep {
         let (most, time) = (self.stepper.state.next, self.stepper.state.time);
         let stop = self.late_time().into_iter().chain(self.end_time()).fold(f64::INFINITY, f64::min);
         let Some(due) = self.due() else {
-            return if stop - time <= most { (stop - time, stop) } else { (most, time + most) };
+            let is_last = stop - time <= most;
+            return if is_last {
+                NextStep { dt: stop - time, end: stop }
+            } else {
+                NextStep { dt: most, end: time + most }
+            };
         };
         let next = due.next(self.state.snapshot_time, time);
         due::lead(most, time, if next < stop && !due.same(next, stop) { next } else { stop })
@@ -202,7 +208,7 @@ impl<'a, const D: usize> Run<'a, D> {
 
     pub(super) fn describe(&self) -> String {
         let (state, steps) = (&self.state, &self.stepper.state);
-        let (limit, reason) = &self.limit;
+        let NamedLimit { limit, reason } = &self.limit;
         let [x, y, z] = limit.position;
         format!(
             "t {:.3e} s, step {}, energy drift {:.1e}, dt {:.2e} s by {reason} of {} {} at ({x:.3e}, {y:.3e}, {z:.3e}) m",

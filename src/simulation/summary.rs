@@ -174,7 +174,7 @@ fn remnant_figures(outcome: &Outcome, later: Option<&Outcome>) -> Vec<(String, f
 }
 
 /// The end of a run on the terminal, rank 0; the first `said` warnings were said before.
-pub fn print(summary: &Summary, (crater, said): (Option<&Crater>, usize), directory: &Path, is_root: bool) {
+pub fn print(summary: &Summary, crater: Option<&Crater>, said: usize, directory: &Path, is_root: bool) {
     let phase = |phase: Phase| 100.0 * summary.phases.0[phase as usize].1;
     let turning = match summary.angular_momentum_drift {
         drift if drift.is_finite() => format!(", angular momentum {drift:.1e}"),

@@ -78,7 +78,7 @@ impl<const D: usize> Stepper<'_, D> {
         let slots = &self.neighbourhood.local().slot_of_owned;
         self.workers.each(&self.buffers.all, |chunk, _| {
             // SAFETY: `records` has a slot for every local particle, and no two particles share one.
-            unsafe { packer.pack(columns, (chunk_range(chunk, columns.len()), since), slots, records.start()) };
+            unsafe { packer.pack(columns, chunk_range(chunk, columns.len()), since, slots, records.start()) };
         });
     }
 

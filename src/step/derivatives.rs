@@ -16,27 +16,17 @@ use crate::particles::{Chunk, Registry};
 /// Rows of a chunk that are summed between two requests for columns.
 const ROWS_PER_FETCH: usize = 32;
 
-/// Evaluates the rates of a chunk whose records stand in `rows`; false where one of them is not finite, which is then noted.
-pub fn evaluate(
-    settings: &StepSettings,
-    registry: &Registry,
-    (chunk, rows): (&Chunk, &Rows),
-    moment: &Moment,
-    workspace: &mut Workspace,
-) -> bool {
-    let derivatives = Derivatives { settings, registry, chunk, moment };
-    derivatives.evaluate(rows, workspace)
-}
-
-struct Derivatives<'a> {
-    settings: &'a StepSettings,
-    registry: &'a Registry,
-    chunk: &'a Chunk<'a>,
-    moment: &'a Moment,
+/// The rates of a chunk at a moment.
+pub struct Derivatives<'a> {
+    pub settings: &'a StepSettings,
+    pub registry: &'a Registry,
+    pub chunk: &'a Chunk<'a>,
+    pub moment: &'a Moment,
 }
 
 impl Derivatives<'_> {
-    fn evaluate(&self, rows: &Rows, workspace: &mut Workspace) -> bool {
+    /// Evaluates the rates of the chunk, whose records stand in `rows`; false where one of them is not finite, which is then noted.
+    pub fn evaluate(&self, rows: &Rows, workspace: &mut Workspace) -> bool {
         let (chunk, settings) = (self.chunk, self.settings);
         // While pairs are summed, the columns that their sums will change come from memory.
         let mut sums = workspace.sums.chunks_mut(ROWS_PER_FETCH);

@@ -5,7 +5,7 @@
 use super::phases::{Phase, Phases};
 use super::settings::StepSettings;
 use crate::domain::comm::Comm;
-use crate::domain::{Closing, Decomposition, Displacements, Handles, Moving, Space, Watch};
+use crate::domain::{Basis, Closing, Decomposition, Displacements, Handles, Moving, Space, Watch};
 use crate::gravity::ROUNDS;
 use crate::kernel::SUPPORT;
 use crate::material::Core;
@@ -30,6 +30,14 @@ pub struct Load<'a> {
     pub steps: u64,
 }
 
+/// How much a neighbour list of this rank holds.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct ListSize {
+    pub entries: f64,
+    /// Those that have a row in it.
+    pub particles: f64,
+}
+
 pub struct Neighbourhood<const D: usize> {
     decomposition: Option<Decomposition<D>>,
     pub list: NeighbourList<D>,
@@ -46,8 +54,8 @@ pub struct Neighbourhood<const D: usize> {
     space: Space,
     words: usize,
     costs: Vec<u32>,
-    /// Entries and rows of the present list.
-    list_size: (f64, f64),
+    /// Of the present list.
+    list_size: ListSize,
     /// Most bytes that a list has held.
     list_bytes: usize,
 }
@@ -68,7 +76,7 @@ impl<const D: usize> Neighbourhood<D> {
             space: Space { lattice: lattice(reach, settings), periods: settings.periods },
             words: settings.pair_loop.layout().words(),
             costs: Vec::new(),
-            list_size: (0.0, 0.0),
+            list_size: ListSize::default(),
             list_bytes: 0,
         }
     }
@@ -125,7 +133,7 @@ impl<const D: usize> Neighbourhood<D> {
         match &mut self.decomposition {
             Some(decomposition) => decomposition.rebuild_from_build_positions(columns, &radius, comm),
             None => {
-                let basis = (self.handles, self.space, self.words);
+                let basis = Basis { handles: self.handles, space: self.space, words: self.words };
                 self.decomposition = Some(Decomposition::new(columns, basis, &radius, comm));
             }
         }
@@ -136,7 +144,10 @@ impl<const D: usize> Neighbourhood<D> {
         let Decomposition { local, .. } = self.decomposition.as_mut().expect("particles are distributed first");
         self.list.build(local);
         local.forget_places();
-        self.list_size = (*self.list.offsets.last().unwrap_or(&0) as f64, (self.list.offsets.len() - 1) as f64);
+        self.list_size = ListSize {
+            entries: *self.list.offsets.last().unwrap_or(&0) as f64,
+            particles: (self.list.offsets.len() - 1) as f64,
+        };
         self.list_bytes = self.list_bytes.max(self.list.bytes());
     }
 
@@ -210,7 +221,7 @@ impl<const D: usize> Neighbourhood<D> {
 
     /// The same for the present list, where the update of a particle costs `own` entries. Collective.
     fn imbalance_of_list(&self, own: f64, comm: &Comm) -> f64 {
-        let (entries, particles) = self.list_size;
+        let ListSize { entries, particles } = self.list_size;
         let mine = entries + own * particles;
         let (mut most, mut total) = ([mine], [mine as i64]);
         comm.all_max(&mut most);
@@ -218,8 +229,8 @@ impl<const D: usize> Neighbourhood<D> {
         most[0] * comm.size() as f64 / total[0].max(1) as f64
     }
 
-    /// Entries and rows of the present list.
-    pub fn list_size(&self) -> (f64, f64) {
+    /// Of the present list.
+    pub fn list_size(&self) -> ListSize {
         self.list_size
     }
 
@@ -228,7 +239,7 @@ impl<const D: usize> Neighbourhood<D> {
     fn update_cost(&self, load: &Load, comm: &Comm) -> f64 {
         let seconds = |phase: Phase| load.phases.seconds[phase as usize];
         let update = seconds(Phase::Predict) + seconds(Phase::Pack) + seconds(Phase::Watch) + seconds(Phase::Gravity);
-        let (entries, particles) = self.list_size;
+        let ListSize { entries, particles } = self.list_size;
         let mut sums = [1e6 * update, 1e6 * seconds(Phase::Pairs), entries, particles].map(|x| x as i64);
         comm.all_sum(&mut sums);
         let [update, pairs, entries, particles] = sums.map(|x| x as f64);

@@ -55,7 +55,7 @@ impl Moments {
 
     /// Keeps the moments of a chunk's particle, as the pair loop gives them after a step of `dt`, s.
     #[inline]
-    pub fn keep(&self, chunk: &Chunk, (k, dimension): (usize, usize), m: &[f64; 6], dt: f64) {
+    pub fn keep(&self, chunk: &Chunk, k: usize, dimension: usize, m: &[f64; 6], dt: f64) {
         let new = match dimension {
             2 => [Vec3::new(m[0], m[1], 0.0), Vec3::new(m[2], 0.0, 0.0)],
             _ => [Vec3::new(m[0], m[1], m[2]), Vec3::new(m[3], m[4], m[5])],
@@ -98,7 +98,7 @@ impl Packer {
     ///
     /// # Safety
     /// `records` must have room for every slot, and no one else may write to the slots of `range` meanwhile.
-    pub unsafe fn pack(&self, columns: &Columns, (range, dt): (Range<usize>, f64), slots: &[u32], records: *mut f64) {
+    pub unsafe fn pack(&self, columns: &Columns, range: Range<usize>, dt: f64, slots: &[u32], records: *mut f64) {
         let stride = self.layout.stride();
         // SAFETY: the slot's record lies within `records` and belongs to this particle alone, and no other slice of it lives.
         let record =

@@ -1,6 +1,6 @@
 //! What is done to one chunk between two reductions: moving it to a stage, evaluating it, accepting or refusing its step.
 
-use super::derivatives::{evaluate, local};
+use super::derivatives::{Derivatives, local};
 use super::settings::{Moment, StepSettings};
 use super::workspace::{VelocityRange, Workspace};
 use crate::material::{Late, Local, MaterialEffect};
@@ -42,12 +42,13 @@ impl Passes<'_> {
     /// Evaluates a chunk and hands its rates to the integrator, unless one of them is not finite.
     pub fn evaluate(&self, chunk: &Chunk, rows: &Rows, moment: &Moment, workspace: &mut Workspace) {
         self.fill_bodies(chunk, workspace);
-        if !evaluate(self.settings, self.registry, (chunk, rows), moment, workspace) {
+        let derivatives = Derivatives { settings: self.settings, registry: self.registry, chunk, moment };
+        if !derivatives.evaluate(rows, workspace) {
             return;
         }
         if let Some(moments) = self.settings.packer.moments.filter(|_| moment.stage == 0) {
             for (k, sums) in workspace.sums[..chunk.len()].iter().enumerate() {
-                moments.keep(chunk, (k, self.registry.dimension), &sums.moment, moment.since);
+                moments.keep(chunk, k, self.registry.dimension, &sums.moment, moment.since);
             }
         }
         let error = self.settings.integrator.take(chunk, &workspace.rates, moment.stage, moment.dt);

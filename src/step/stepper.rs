@@ -14,7 +14,7 @@ use super::passes::Passes;
 use super::phases::{Phase, Phases};
 use super::reduction::{self, Reduced};
 use super::settings::{Counters, Moment, StepSettings, StepState};
-use super::time_step::Limit;
+use super::time_step::{Limit, NamedLimit};
 use super::workers::Workers;
 use super::workspace::{Findings, Workspace};
 use crate::domain::comm::Comm;
@@ -117,7 +117,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
                     match self.settings.integrator.judge(&reduced.error, reduced.speed, tried) {
                         Verdict::Accept { most } => {
                             let time = if tried == dt { end } else { self.state.time + tried };
-                            return self.accept((tried, time), &reduced, most);
+                            return self.accept(tried, time, &reduced, most);
                         }
                         refused => refused,
                     }
@@ -150,7 +150,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
     }
 
     /// A step counts: it took so many seconds, and the clock stands at `time`. Collective.
-    fn accept(&mut self, (taken, time): (f64, f64), reduced: &Reduced, most: f64) -> Result<Stepped, Failure> {
+    fn accept(&mut self, taken: f64, time: f64, reduced: &Reduced, most: f64) -> Result<Stepped, Failure> {
         if self.settings.integrator.may_refuse() {
             self.chunk_pass(|passes, chunk, workspace| passes.commit(chunk, taken, workspace));
             reduction::before_evaluation(&self.collect(), 0.0, self.coming(), self.comm)?;
@@ -225,7 +225,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
     }
 
     /// The tightest limit of all ranks, with its reason; collective, for the log.
-    pub fn tightest_limit(&self) -> (Limit, &'static str) {
+    pub fn tightest_limit(&self) -> NamedLimit {
         let l = &self.limit;
         let mine = [l.dt, l.reason as f64, f64::from_bits(l.id.0), l.position[0], l.position[1], l.position[2]];
         let all = self.comm.all_gather(&mine);
@@ -236,7 +236,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
             position: [w[3], w[4], w[5]],
         });
         let limit = limits.fold(Limit::NONE, Limit::tighter);
-        (limit, self.reason_name(limit.reason))
+        NamedLimit { limit, reason: self.reason_name(limit.reason) }
     }
 
     /// Largest load of a rank over the mean load, over the run; collective.

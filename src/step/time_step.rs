@@ -38,6 +38,14 @@ impl Limit {
     }
 }
 
+/// A limit, and what sets it in a word.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NamedLimit {
+    pub limit: Limit,
+    /// See [`Stepper::reason_name`](super::Stepper::reason_name).
+    pub reason: &'static str,
+}
+
 /// Signal-speed limit of one particle, s.
 #[inline]
 pub fn cfl(factor: f64, h: f64, sound_speed: f64, viscosity: Viscosity, approach: f64) -> f64 {

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::points::Study;
-use crate::domain::comm::Comm;
+use crate::domain::comm::{Comm, Network};
 use crate::error::Result;
 use crate::forecast::cost::{self, Price};
 use crate::output::text::{aligned, duration, number, words};
@@ -19,7 +19,7 @@ pub fn list(study: &Study) -> String {
 
 /// Predicts every point on `ranks` ranks of one thread each. The pace of the machine is measured once for each setting, at its
 /// finest. Collective.
-pub fn check(study: &Study, ranks: usize, network: Option<(f64, f64)>, comm: &Comm) -> Result<String> {
+pub fn check(study: &Study, ranks: usize, network: Option<Network>, comm: &Comm) -> Result<String> {
     let mut rows = vec![words([
         "point",
         "setting",

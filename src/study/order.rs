@@ -20,8 +20,17 @@ pub struct Order {
     pub doubt: String,
 }
 
-/// Straight line by least squares: slope, its standard error for three points and more, and intercept.
-pub fn line(points: &[(f64, f64)]) -> Option<(f64, Option<f64>, f64)> {
+/// A straight line by least squares.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Line {
+    pub slope: f64,
+    /// Standard error of the slope, for three points and more.
+    pub standard_error: Option<f64>,
+    pub intercept: f64,
+}
+
+/// The line through points (x, y); none through fewer than two x.
+pub fn line(points: &[(f64, f64)]) -> Option<Line> {
     let n = points.len() as f64;
     let mean = |get: fn(&(f64, f64)) -> f64| points.iter().map(get).sum::<f64>() / n;
     let (x_mean, y_mean) = (mean(|p| p.0), mean(|p| p.1));
@@ -32,15 +41,15 @@ pub fn line(points: &[(f64, f64)]) -> Option<(f64, Option<f64>, f64)> {
     let slope = points.iter().map(|p| (p.0 - x_mean) * (p.1 - y_mean)).sum::<f64>() / sxx;
     let intercept = y_mean - slope * x_mean;
     let residual: f64 = points.iter().map(|p| p.1 - intercept - slope * p.0).map(|r| r * r).sum();
-    let error = (points.len() > 2).then(|| (residual / (n - 2.0) / sxx).sqrt());
-    Some((slope, error, intercept))
+    let standard_error = (points.len() > 2).then(|| (residual / (n - 2.0) / sxx).sqrt());
+    Some(Line { slope, standard_error, intercept })
 }
 
 /// Of (spacing, error) from coarse to fine; none for fewer than two spacings. Errors of zero tell no order.
 pub fn order(points: &[(f64, f64)]) -> Option<Order> {
     let logs: Vec<(f64, f64)> =
         points.iter().filter(|p| p.0 > 0.0 && p.1 > 0.0).map(|p| (libm::log(p.0), libm::log(p.1))).collect();
-    let (order, standard_error, ln_coefficient) = line(&logs)?;
+    let Line { slope: order, standard_error, intercept: ln_coefficient } = line(&logs)?;
     Some(Order { order, standard_error, ln_coefficient, spacings: logs.len(), doubt: doubt(&logs, order) })
 }
 

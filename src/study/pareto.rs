@@ -76,7 +76,7 @@ pub fn price(curve: &[Step], target: f64) -> Option<Price> {
 pub fn beyond(curve: &[Step], target: f64, order: f64) -> Option<Price> {
     let finest = curve.last()?;
     let logs: Vec<(f64, f64)> = curve.iter().map(|s| (libm::log(s.spacing), libm::log(s.cost))).collect();
-    let (slope, _, _) = line(&logs)?;
+    let slope = line(&logs)?.slope;
     if order <= 0.0 || finest.error <= target {
         return None;
     }

@@ -131,7 +131,7 @@ impl Study {
                 let varied = setting.changes.iter().chain(level).map(Change::text).collect::<Vec<_>>();
                 points.push((reader.scene(&changes)?, varied));
             }
-            study.add((setting.name, setting.family), points);
+            study.add(setting.name, setting.family, points);
         }
         study.find_spacing(&document)?;
         Ok(study)
@@ -146,7 +146,7 @@ impl Study {
     }
 
     /// Takes a setting up, unless it is an earlier one by another name: a value may be that which the scene has.
-    fn add(&mut self, (name, family): (String, String), points: Vec<(Scene, Vec<String>)>) {
+    fn add(&mut self, name: String, family: String, points: Vec<(Scene, Vec<String>)>) {
         let identities: Vec<String> = points.iter().map(|(scene, _)| identity(scene)).collect();
         let same = |number: usize| {
             let earlier = self.points.iter().filter(|point| point.setting == number);

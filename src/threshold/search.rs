@@ -100,7 +100,7 @@ impl Progress<'_> {
         let number = self.impacts.len() + 1;
         let (search, comm) = (self.search, self.comm);
         tracing::info!("impact {number}: {} = {length:.5e} m, Q = {:.4e} J/kg", search.key, search.q(length));
-        let Some(impact) = search.impact((length, repeat), number, self.options, comm)? else { return Ok(false) };
+        let Some(impact) = search.impact(length, repeat, number, self.options, comm)? else { return Ok(false) };
         tracing::info!(
             "impact {number}: M_lr / M_T = {:.3}, {:.3} at twice the time",
             impact.outcome.largest_remnant_fraction,
@@ -185,7 +185,8 @@ impl<'a> Search<'a> {
     /// Runs one impact, or goes on with the one that was interrupted; none where it was interrupted again.
     fn impact(
         &self,
-        (length, repeat): (f64, u32),
+        length: f64,
+        repeat: u32,
         number: usize,
         options: &Options,
         comm: &Comm,

@@ -183,7 +183,7 @@ impl Forest<'_> {
         let mut shared = Shared { octree: Octree::new(self.opening.order), ..Shared::default() };
         if !self.ends.is_empty() {
             let mut next = 0;
-            self.assemble(Cell::ROOT, &mut next, (branches, heads), &mut shared);
+            self.assemble(Cell::ROOT, &mut next, branches, heads, &mut shared);
         }
         shared
     }
@@ -252,7 +252,7 @@ impl Forest<'_> {
         for (_, words) in self.comm.sparse_exchange_later(messages).await {
             let mut rest = words.as_slice();
             while let [index, nodes, bodies, after @ ..] = rest {
-                let (part, after) = read_part(self.opening.order, (*nodes as usize, *bodies as usize), after);
+                let (part, after) = read_part(self.opening.order, *nodes as usize, *bodies as usize, after);
                 branches[*index as usize] = Some(part);
                 rest = after;
             }
@@ -260,8 +260,7 @@ impl Forest<'_> {
     }
 
     /// Appends the cell with all ends in it, of which `next` is the first.
-    fn assemble(&self, cell: Cell, next: &mut usize, known: (&[Option<Octree>], &[Head]), shared: &mut Shared) {
-        let (branches, heads) = known;
+    fn assemble(&self, cell: Cell, next: &mut usize, branches: &[Option<Octree>], heads: &[Head], shared: &mut Shared) {
         if self.ends[*next] == cell {
             match &branches[*next] {
                 Some(branch) => shared.octree.graft(branch),
@@ -275,7 +274,7 @@ impl Forest<'_> {
         shared.own.push(false);
         for child in (0..8).map(|octant| cell.child(octant)) {
             if self.ends.get(*next).is_some_and(|end| end.first_key() < child.end_key()) {
-                self.assemble(child, next, known, shared);
+                self.assemble(child, next, branches, heads, shared);
             }
         }
         shared.octree.finish(node, cell);
@@ -296,7 +295,7 @@ fn write_part(index: usize, part: &Octree, words: &mut Vec<u64>) {
 }
 
 /// The part at the beginning of `words`, and what follows it.
-fn read_part(order: usize, (nodes, bodies): (usize, usize), words: &[u64]) -> (Octree, &[u64]) {
+fn read_part(order: usize, nodes: usize, bodies: usize, words: &[u64]) -> (Octree, &[u64]) {
     let (its_nodes, rest) = words.split_at(nodes * Node::WORDS);
     let (rows, rest) = rest.split_at(nodes * row(order));
     let (numbers, rest) = rest.split_at(bodies * TREE_BODY_WORDS);

@@ -29,6 +29,14 @@ pub struct Flaws {
     ln_mean: f64,
 }
 
+/// Flaws of one particle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FlawCount {
+    /// At the strain that was asked for.
+    pub active: u32,
+    pub all: u32,
+}
+
 impl Flaws {
     /// Flaws of particles of `volume`, m^3, of which the body has `particles`.
     pub fn new(table: &FractureTable, volume: f64, particles: u64) -> Self {
@@ -43,8 +51,8 @@ impl Flaws {
         libm::exp((libm::log(gamma) - self.ln_kv) / self.m)
     }
 
-    /// Flaws that are active at a strain above the weakest threshold, and all flaws of the particle.
-    pub fn count(&self, id: ParticleId, strain: f64) -> (u32, u32) {
+    /// Flaws of a particle, those that are active at a strain above the weakest threshold among them.
+    pub fn count(&self, id: ParticleId, strain: f64) -> FlawCount {
         let ln_intensity = self.ln_kv + self.m * libm::log(strain);
         let intensity = if ln_intensity < self.ln_mean { libm::exp(ln_intensity) } else { self.mean };
         // Gamma_j <= x where the product of the first j draws is at least exp(-x): no logarithm per flaw.
@@ -61,7 +69,7 @@ impl Flaws {
             }
             pair += 1;
         }
-        (active.max(1), total.max(1))
+        FlawCount { active: active.max(1), all: total.max(1) }
     }
 }
 
@@ -77,7 +85,7 @@ mod tests {
     }
 
     fn total(flaws: &Flaws, site: u64) -> u32 {
-        flaws.count(ParticleId::new(0, site), 1.0).1
+        flaws.count(ParticleId::new(0, site), 1.0).all
     }
 
     /// The total is a Poisson number of mean N (ln N + 0.577), plus the flaw given to the fraction exp(-mean) that
@@ -103,7 +111,7 @@ mod tests {
             let active: u64 = (0..n)
                 .map(|site| ParticleId::new(0, site))
                 .filter(|&id| flaws.weakest(id) < strain)
-                .map(|id| flaws.count(id, strain).0 as u64)
+                .map(|id| flaws.count(id, strain).active as u64)
                 .sum();
             let expected = n as f64 * intensity;
             assert!((active as f64 - expected).abs() < 4.0 * expected.sqrt(), "{intensity}: {active}");
@@ -134,7 +142,7 @@ mod tests {
             assert!(threshold > 1e-6 && threshold < 1e-3, "{threshold:e}");
             let mut last = 0;
             for strain in [threshold * 1.0000001, 2.0 * threshold, 1e-2, 1.0, 1e30] {
-                let (active, total) = flaws.count(id, strain);
+                let FlawCount { active, all: total } = flaws.count(id, strain);
                 assert!(active >= last.max(1) && active <= total);
                 last = active;
             }

@@ -32,7 +32,7 @@ use crate::error::{Error, Result};
 use crate::math::Deviator;
 use crate::particles::{Column, ColumnInfo, Columns, Life, ParticleId, Registry};
 use crate::units::{Number, NumberDensity};
-use flaws::Flaws;
+use flaws::{FlawCount, Flaws};
 
 /// Crack speed over the longitudinal speed of sound.
 const CRACK_SPEED: f64 = 0.4;
@@ -127,7 +127,7 @@ impl Brittle {
 
     /// Damage after `dt` at a strain above the threshold.
     fn grown(&self, id: ParticleId, damage: f64, strain: f64, dt: f64) -> f64 {
-        let (active, total) = self.flaws.count(id, strain);
+        let FlawCount { active, all: total } = self.flaws.count(id, strain);
         let root = libm::cbrt(damage) + libm::cbrt(active as f64) * self.growth * dt;
         (root * root * root).min(active as f64 / total as f64).max(damage)
     }
@@ -250,7 +250,7 @@ mod tests {
     }
 
     fn total(flaws: &Flaws, site: u64) -> u32 {
-        flaws.count(ParticleId::new(0, site), 1.0).1
+        flaws.count(ParticleId::new(0, site), 1.0).all
     }
 
     #[test]
@@ -293,9 +293,9 @@ mod tests {
         let id = ParticleId::new(0, 5);
         let strain = (1..)
             .map(|step| f64::from(step) * 1e-5)
-            .find(|&strain| strain > brittle.flaws.weakest(id) && brittle.flaws.count(id, strain).0 == 3)
+            .find(|&strain| strain > brittle.flaws.weakest(id) && brittle.flaws.count(id, strain).active == 3)
             .unwrap();
-        let bound = 3.0 / f64::from(brittle.flaws.count(id, strain).1);
+        let bound = 3.0 / f64::from(brittle.flaws.count(id, strain).all);
         let first = brittle.grown(id, 0.0, strain, 1e-3);
         assert!((first / (3.0 * 2e-3f64.powi(3)) - 1.0).abs() < 1e-13);
         assert_eq!(brittle.grown(id, 0.0, strain, 1e3), bound);
@@ -390,7 +390,7 @@ mod tests {
 
     /// Whether damage of this much grows under a stress that pulls by `share` of what the weakest flaw bears, by shear or by
     /// pressure, in matter with this distention.
-    fn grows(material: &MaterialTable, (damage, distention): (f64, f64), share: f64, by_shear: bool) -> bool {
+    fn grows(material: &MaterialTable, damage: f64, distention: f64, share: f64, by_shear: bool) -> bool {
         let mut rig = Rig::new(material.clone());
         let (bulk, shear) = (26.7e9, 22.7e9);
         let youngs_modulus = 9.0 * bulk * shear / (3.0 * bulk + shear);
@@ -420,10 +420,10 @@ mod tests {
             for (share, distention, expected) in
                 [(0.55, 2.0, true), (0.45, 2.0, false), (0.7, 1.5, true), (0.6, 1.5, false)]
             {
-                let found = grows(&porous, (0.0, distention), share, by_shear);
+                let found = grows(&porous, 0.0, distention, share, by_shear);
                 assert_eq!(found, expected, "{share} at {distention}, shear: {by_shear}");
             }
-            assert!(grows(&basalt(), (0.0, 1.0), 1.05, by_shear) && !grows(&basalt(), (0.0, 1.0), 0.95, by_shear));
+            assert!(grows(&basalt(), 0.0, 1.0, 1.05, by_shear) && !grows(&basalt(), 0.0, 1.0, 0.95, by_shear));
         }
     }
 
@@ -434,9 +434,9 @@ mod tests {
         let law = "cohesion = 9e7\ninternal_friction = 2\nfriction = 0.8\ndamaged_cohesion = 0";
         rock.strength.as_mut().unwrap().collins = Some(toml::from_str(law).unwrap());
         for (share, expected) in [(0.75, true), (0.65, false)] {
-            assert_eq!(grows(&rock, (0.3, 1.0), share, true), expected, "{share}");
+            assert_eq!(grows(&rock, 0.3, 1.0, share, true), expected, "{share}");
         }
         // Without friction S is that of undamaged matter.
-        assert!(grows(&basalt(), (0.3, 1.0), 1.05, true) && !grows(&basalt(), (0.3, 1.0), 0.95, true));
+        assert!(grows(&basalt(), 0.3, 1.0, 1.05, true) && !grows(&basalt(), 0.3, 1.0, 0.95, true));
     }
 }

@@ -51,6 +51,21 @@ enum Heat {
     Ignored,
 }
 
+/// Distention as it is, and as it would be without load.
+#[derive(Debug, Clone, Copy)]
+struct Pores {
+    now: f64,
+    unloaded: f64,
+}
+
+impl Pores {
+    /// Load does not change them, unless it crushes them.
+    #[inline]
+    fn rigid(distention: f64) -> Self {
+        Self { now: distention, unloaded: distention }
+    }
+}
+
 /// Porous matter of one body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Porous {
@@ -84,19 +99,19 @@ impl Porous {
     #[inline]
     pub fn state(&self, rho: f64, u: f64, unloaded: f64) -> State {
         if unloaded <= 1.0 {
-            return self.with(rho, u, (1.0, 1.0), |_| 1.0);
+            return self.with(rho, u, Pores::rigid(1.0), |_| 1.0);
         }
         match &self.compaction {
-            Compaction::Pressure { curve, elastic: None } => self.crushed(rho, u, (curve, Heat::Counts), unloaded),
-            Compaction::Pressure { curve, elastic: Some(elastic) } => self.elastic(rho, u, (curve, elastic), unloaded),
-            Compaction::ColdPressure(curve) => self.crushed(rho, u, (curve, Heat::Ignored), unloaded),
-            Compaction::Kept => self.with(rho, u, (unloaded, unloaded), |_| 1.0),
+            Compaction::Pressure { curve, elastic: None } => self.crushed(rho, u, curve, Heat::Counts, unloaded),
+            Compaction::Pressure { curve, elastic: Some(elastic) } => self.elastic(rho, u, curve, elastic, unloaded),
+            Compaction::ColdPressure(curve) => self.crushed(rho, u, curve, Heat::Ignored, unloaded),
+            Compaction::Kept => self.with(rho, u, Pores::rigid(unloaded), |_| 1.0),
             Compaction::Strain(law) => {
                 let (alpha, by_strain) = law.at(rho);
                 if alpha < unloaded {
-                    self.with(rho, u, (alpha, alpha), |_| 1.0 - by_strain / alpha)
+                    self.with(rho, u, Pores::rigid(alpha), |_| 1.0 - by_strain / alpha)
                 } else {
-                    self.with(rho, u, (unloaded, unloaded), |_| 1.0)
+                    self.with(rho, u, Pores::rigid(unloaded), |_| 1.0)
                 }
             }
         }
@@ -104,14 +119,14 @@ impl Porous {
 
     /// Rigid pores.
     #[inline]
-    fn crushed(&self, rho: f64, u: f64, (curve, heat): (&CrushCurve, Heat), unloaded: f64) -> State {
+    fn crushed(&self, rho: f64, u: f64, curve: &CrushCurve, heat: Heat, unloaded: f64) -> State {
         let u_curve = if heat == Heat::Counts { u } else { 0.0 };
         let trial = self.pressure(rho, u_curve, unloaded);
         if curve.at(trial).0 >= unloaded {
-            return self.with(rho, u, (unloaded, unloaded), |_| 1.0);
+            return self.with(rho, u, Pores::rigid(unloaded), |_| 1.0);
         }
         let alpha = self.on_curve(rho, u_curve, curve, unloaded);
-        self.with(rho, u, (alpha, alpha), |hot| {
+        self.with(rho, u, Pores::rigid(alpha), |hot| {
             if heat == Heat::Counts {
                 return self.factor(rho, alpha, curve.at(hot.p / alpha).1, hot, hot.by_u);
             }
@@ -121,9 +136,9 @@ impl Porous {
     }
 
     /// Elastic pores: first along the elastic line, then, where this ends beyond the crush curve, on the curve.
-    fn elastic(&self, rho: f64, u: f64, (curve, elastic): (&CrushCurve, &Elastic), unloaded: f64) -> State {
+    fn elastic(&self, rho: f64, u: f64, curve: &CrushCurve, elastic: &Elastic, unloaded: f64) -> State {
         if self.pressure(rho, u, unloaded) <= 0.0 {
-            return self.with(rho, u, (unloaded, unloaded), |_| 1.0);
+            return self.with(rho, u, Pores::rigid(unloaded), |_| 1.0);
         }
         // Beyond the first digits above 1 the line is as stiff as the matrix.
         let lowest = 1.0 + 1e-12 * (unloaded - 1.0);
@@ -135,19 +150,23 @@ impl Porous {
         let p = elastic.level(alpha) - without_load;
         if p <= curve.elastic_limit() || curve.at(p).0 >= alpha {
             return self
-                .with(rho, u, (alpha, unloaded), |hot| self.factor(rho, alpha, elastic.slope(alpha), hot, hot.by_u))
+                .with(rho, u, Pores { now: alpha, unloaded }, |hot| {
+                    self.factor(rho, alpha, elastic.slope(alpha), hot, hot.by_u)
+                })
                 .slowed(rho, elastic.slope(alpha));
         }
         let alpha = self.on_curve(rho, u, curve, alpha);
         if alpha <= 1.0 {
-            return self.with(rho, u, (1.0, 1.0), |_| 1.0);
+            return self.with(rho, u, Pores::rigid(1.0), |_| 1.0);
         }
         let p = self.pressure(rho, u, alpha);
         // The line that leads back from here: its pressure at alpha is p.
         let wanted = elastic.level(alpha) - p;
         let left = solve(alpha, unloaded, |left| (wanted - elastic.level(left), -1.0 / elastic.slope(left)));
-        self.with(rho, u, (alpha, left), |hot| self.factor(rho, alpha, curve.at(p).1, hot, hot.by_u))
-            .slowed(rho, elastic.slope(alpha))
+        self.with(rho, u, Pores { now: alpha, unloaded: left }, |hot| {
+            self.factor(rho, alpha, curve.at(p).1, hot, hot.by_u)
+        })
+        .slowed(rho, elastic.slope(alpha))
     }
 
     /// The distention below `unloaded` at which the crush curve has this density and energy.
@@ -181,7 +200,8 @@ impl Porous {
     }
 
     #[inline]
-    fn with(&self, rho: f64, u: f64, (alpha, unloaded): (f64, f64), factor: impl Fn(&Slopes) -> f64) -> State {
+    fn with(&self, rho: f64, u: f64, pores: Pores, factor: impl Fn(&Slopes) -> f64) -> State {
+        let Pores { now: alpha, unloaded } = pores;
         let matrix_density = alpha * rho;
         let matrix = self.eos.slopes(matrix_density, u);
         let (pressure, stress_factor) = (matrix.p / alpha, factor(&matrix));

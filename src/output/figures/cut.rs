@@ -78,12 +78,7 @@ impl Source {
 }
 
 /// Draws a cut to a PNG file. Collective; the picture is the same for any number of ranks.
-pub fn draw(
-    path: &Path,
-    picture: &Picture,
-    (columns, bodies): (&Columns, &[BodyConstants]),
-    comm: &Comm,
-) -> Result<()> {
+pub fn draw(path: &Path, picture: &Picture, columns: &Columns, bodies: &[BodyConstants], comm: &Comm) -> Result<()> {
     let quantities = [left(picture, columns)?, right(picture, columns)?];
     let dots = dots(columns, bodies, &quantities)?;
     let plane = &picture.plane;
@@ -143,7 +138,7 @@ fn paint_panels(path: &Path, picture: &Picture, raster: &Raster, quantities: &[Q
         root.draw(&Text::new(picture.title.clone(), (SIZE.0 as i32 / 2, 14), text)).map_err(|e| e.to_string())?;
         let panels = root.split_evenly((1, 2));
         for ((panel, quantity), values) in panels.iter().zip(quantities).zip(&raster.panels) {
-            draw_panel(panel, quantity, values, (&picture.plane, raster)).map_err(|e| e.to_string())?;
+            draw_panel(panel, quantity, values, &picture.plane, raster).map_err(|e| e.to_string())?;
         }
         Ok(())
     })
@@ -152,7 +147,7 @@ fn paint_panels(path: &Path, picture: &Picture, raster: &Raster, quantities: &[Q
 type Area<'a> = DrawingArea<BitMapBackend<'a>, Shift>;
 type Drawn<'a> = std::result::Result<(), DrawingAreaErrorKind<<BitMapBackend<'a> as DrawingBackend>::ErrorType>>;
 
-fn draw_panel<'a>(area: &Area<'a>, quantity: &Quantity, values: &[f64], drawn: (&Plane, &Raster)) -> Drawn<'a> {
+fn draw_panel<'a>(area: &Area<'a>, quantity: &Quantity, values: &[f64], plane: &Plane, raster: &Raster) -> Drawn<'a> {
     let scale = colour_scale(quantity, values);
     let side = SIDE as i32;
     if quantity.shades == Shades::Greys {
@@ -165,7 +160,7 @@ fn draw_panel<'a>(area: &Area<'a>, quantity: &Quantity, values: &[f64], drawn: (
     }
     let heading = style(22).pos(Pos::new(HPos::Center, VPos::Bottom));
     area.draw(&Text::new(quantity.title.as_str(), (LEFT + side / 2, TOP - 10), heading))?;
-    draw_axes(area, drawn)?;
+    draw_axes(area, plane, raster)?;
     if quantity.shades == Shades::LightAndDark { Ok(()) } else { draw_bar(area, quantity, &scale) }
 }
 
@@ -201,7 +196,7 @@ fn axis_name(direction: &Vec3, otherwise: &'static str) -> &'static str {
     axes.into_iter().find(|(axis, _)| axis == direction).map_or(otherwise, |(_, name)| name)
 }
 
-fn draw_axes<'a>(area: &Area<'a>, (plane, raster): (&Plane, &Raster)) -> Drawn<'a> {
+fn draw_axes<'a>(area: &Area<'a>, plane: &Plane, raster: &Raster) -> Drawn<'a> {
     let (window, side) = (&raster.window, SIDE as i32);
     let (unit, unit_name) = length_unit(window.half);
     area.draw(&Rectangle::new([(LEFT - 1, TOP - 1), (LEFT + side, TOP + side)], BLACK))?;
