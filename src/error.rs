@@ -13,7 +13,7 @@ pub struct Error {
     pub place: String,
     /// What is allowed instead; empty when there is nothing to choose from.
     pub allowed: String,
-    /// Whether what was asked for is at fault, not the run on its way: the exit code tells them apart.
+    /// Whether the input is at fault, not the run itself: their exit codes differ.
     pub bad_input: bool,
 }
 

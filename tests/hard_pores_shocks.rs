@@ -77,7 +77,7 @@ fn contact(basalt: &Medium, sponge: &Sponge, speed: f64) -> f64 {
 
 /// alpha_0 = 4.64, hit by basalt at 3 km/s: the matrix gets so hot that it ends thinner than without load. With distention by its
 /// rate (Jutzi et al. 2008, eqs 24-25) instead of the crush curve itself, the pressure behind the shock was 1.5 times as high as it
-/// should be, the density 0.53, and alpha 3.3. With viscosity that goes by the speed of further compression instead of sound, P
+/// should be, the density 0.53, and alpha 3.3. With viscosity that uses the speed of further compression instead of sound, P
 /// is 1.26 times and the density 1.07 times as high as it should be.
 #[test]
 fn pumice_hit_at_three_kilometres_per_second() {

@@ -16,7 +16,7 @@ use crate::scene::Scene;
 use crate::step::Stepper;
 use solution::Reference;
 
-/// What a run compares itself with, and what it has noted on its way.
+/// The exact solution that a run is compared with.
 pub struct Comparison {
     reference: Reference,
     title: String,
@@ -31,7 +31,8 @@ impl Comparison {
         Ok(Some(Self { reference, title: scene.title.clone() }))
     }
 
-    /// How far the vibration is out, where one is watched, or how fast what should rest moves; (time, amplitude). Collective.
+    /// Time, s, and the amplitude of a vibration or the speed of matter that should be at rest; `None` for other solutions.
+    /// Collective.
     pub fn sample<const D: usize>(&self, stepper: &Stepper<D>, time: f64, comm: &Comm) -> Option<[f64; 2]> {
         match &self.reference {
             Reference::Swing(swing) => Some([time, signal::amplitude(swing, stepper, comm)]),
@@ -40,7 +41,7 @@ impl Comparison {
         }
     }
 
-    /// Errors by name, and figures into the directory where asked for. `angular`: drift of angular momentum; `samples`: what
+    /// Errors by name, and figures into the directory if there is one. `angular`: drift of angular momentum; `samples`: what
     /// [`Comparison::sample`] gave. Collective.
     pub fn finish<const D: usize>(
         &self,

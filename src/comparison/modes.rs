@@ -14,9 +14,9 @@ pub struct ModeShape {
     dimension: usize,
     /// Where a bar is held, relative to the centre, m.
     clamp: f64,
-    /// Velocity of an amplitude of 1 where it is largest, so that amplitudes are largest speeds.
+    /// Largest velocity of the unscaled mode: divided by it, amplitudes are largest speeds.
     scale: f64,
-    /// rad/s.
+    /// Angular frequency, rad/s.
     pub frequency: f64,
 }
 

@@ -28,7 +28,7 @@ const FIELDS: [(&str, &str); 5] =
     [("density", "kg/m^3"), ("velocity", "m/s"), ("stress", "Pa"), ("internal_energy", "J/kg"), ("distention", "")];
 const FIELD_COUNT: usize = FIELDS.len();
 
-/// Points at which the solution is looked at.
+/// Points at which the solution is evaluated.
 const POINTS: usize = 4001;
 /// Particles in a figure, about.
 const SHOWN: f64 = 3000.0;
@@ -173,7 +173,7 @@ fn found(profile: &Profile, time: f64, ends: [f64; 2]) -> Vec<Feature> {
         let [(a, behind), (b, ahead)] = [pair[0], pair[1]];
         let jumps = (behind.density - ahead.density).abs() > 0.02 * densest
             || (behind.velocity - ahead.velocity).abs() > 0.02 * fastest;
-        // Neighbouring points of the solution, not ends of a stretch where it is nothing.
+        // Neighbouring points of the solution, not ends of a stretch where it is undefined.
         if jumps && b - a < 1.5 * step {
             features.push(Feature::Front { at: 0.5 * (a + b), behind, ahead });
         }
@@ -219,7 +219,7 @@ fn features(
     errors
 }
 
-/// Means by mass of all fields between two places; `None` where there is nothing. Collective.
+/// Means by mass of all fields between two places; `None` where there is no particle. Collective.
 fn means(samples: &[Sample], low: f64, high: f64, comm: &Comm) -> Option<[f64; FIELD_COUNT]> {
     let mut sums = vec![ExactSum::new(); FIELD_COUNT + 1];
     for p in samples.iter().filter(|p| (low..=high).contains(&p.s)) {

@@ -38,7 +38,7 @@ pub fn amplitude<const D: usize>(swing: &Swing, stepper: &Stepper<D>, comm: &Com
 struct Fit {
     frequency: f64,
     decay: f64,
-    /// Of cosine and sine.
+    /// Amplitudes of cosine and sine, m/s.
     parts: [f64; 2],
     residual: f64,
 }

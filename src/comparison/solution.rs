@@ -22,12 +22,12 @@ pub enum Reference {
     Rest(Rest),
 }
 
-/// A solution along a coordinate; fields that are no numbers do not count.
+/// A solution along a coordinate; fields that are not finite do not count.
 pub struct Profile {
     pub place: Place,
     /// Coordinates that count, m, as the scene counts them.
     pub within: [f64; 2],
-    /// Where only what is near the axis counts: the largest distance from the coordinate's axis, m.
+    /// Only particles within this distance from the coordinate's axis count, m; `None` counts all.
     pub core: Option<f64>,
     /// State at a coordinate (m) and a time (s).
     pub at: Box<dyn Fn(f64, f64) -> State + Sync>,
@@ -47,7 +47,7 @@ pub enum Place {
 /// A vibration of one body.
 pub struct Swing {
     pub body: usize,
-    /// The shape: velocity at a place, m, of a swing of amplitude 1.
+    /// Velocity at a place, m, of a vibration of amplitude 1.
     pub shape: Box<dyn Fn([f64; 3]) -> [f64; 3] + Sync>,
     /// rad/s.
     pub frequency: f64,
@@ -160,7 +160,7 @@ fn implosion(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
     Ok(Profile { place: Place::Radius(body.centre), within, core: None, at, origin: 0.0 })
 }
 
-/// The face of what moves is where its layer ends; the solid lies beyond, where the piston goes.
+/// The face of the piston is where its layer ends; the solid lies beyond, in the direction of its motion.
 fn piston(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
     // Axis and speed along it.
     let moving = |motion: &Motion| {

@@ -1,10 +1,10 @@
-//! A piston that crushes porous matter: an elastic precursor up to where pores give way and a compaction shock behind it; one
+//! A piston that crushes porous matter: an elastic precursor up to where pores begin to collapse and a compaction shock behind it; one
 //! elastic front; or one front that has overtaken its precursor. Jutzi et al. 2008, section 5.1; Herrmann 1969, J. Appl. Phys. 40,
 //! 2490.
 //!
 //! Behind a front the pressure is that of the porous matter on first loading, P(rho, E) = P_s(alpha rho, E) / alpha with alpha of
 //! its law of compaction (`material::porosity`), and each front obeys the jump conditions of `shock`. The precursor ends where the
-//! first pore gives way for good. A shock may leave pores: then alpha behind it is on the crush curve.
+//! first pore collapses for good. A shock may leave pores: then alpha behind it is on the crush curve.
 
 use super::piston::Piston;
 use super::shock::{Front, jump};
@@ -50,7 +50,7 @@ impl Sponge {
         Ok(Front { behind: State { distention, ..front.behind }, ..front })
     }
 
-    /// The strongest front that no pore gives way in; `None` where pores give way at once.
+    /// The strongest front in which no pore collapses; `None` where pores collapse at once.
     pub fn elastic_limit(&self) -> Result<Option<Front>> {
         let gives_way = |gain: f64| match self.front(&self.at_rest(), gain) {
             Ok(Front { behind, .. }) => {
@@ -112,7 +112,7 @@ mod tests {
         assert_eq!(wave.front.behind.distention, 1.0);
     }
 
-    /// The same at other speeds: U_s, P and alpha behind.
+    /// An independent solution at other speeds: U_s, P and alpha behind.
     #[test]
     fn incomplete_and_complete_compaction() {
         let sponge = sponge(testing::aluminium(1.275));

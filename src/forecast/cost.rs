@@ -80,7 +80,7 @@ fn bodies(scene: &Scene, plan: &Plan) -> String {
     text
 }
 
-/// Effects and pair terms, each with the tables that ask for it.
+/// Effects and pair terms, each with the tables that request it.
 fn effects(scene: &Scene, plan: &Plan) -> String {
     let understood: Table = scene.to_toml().parse().unwrap_or_default();
     let mut rows = vec![words(["effect", "asked for by"])];
@@ -158,10 +158,10 @@ fn memory(plan: &Plan, footprint: &Footprint, ranks: usize) -> String {
     format!("\nmemory on {ranks} rank{}\n{text}", if ranks == 1 { "" } else { "s" })
 }
 
-/// What each of `ranks` ranks has to do, with lists that live for so many steps.
+/// The load of each of `ranks` ranks, with neighbour lists that are used for `life` steps.
 fn load(scene: &Scene, plan: &Plan, footprint: &Footprint, (ranks, life): (usize, f64)) -> Load {
     let d = scene.dimension as f64;
-    // A cell tells its displacements to two cells' depth; a site is a particle's id, position and radius.
+    // Displacements of cells are sent two cells deep; a site is a particle's id, position and radius.
     let watch = 2.0 * footprint.ghosts / footprint.ghosts_per_cell * 8.0 * (2.0 * d + 2.0);
     let site = 8.0 * (d + 2.0);
     // Particles move by about the skin between two lists: of a layer as deep as a list radius, that share may change ranks.
@@ -211,7 +211,7 @@ fn one_step(alone: &Step, shared: &Step, (pace, life): (&Pace, f64), ranks: usiz
     format!("\none step on {ranks} rank{s} of one thread, none of them sharing a core\n{text}")
 }
 
-/// What one run of a scene will take.
+/// The predicted cost of one run of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Price {
     pub particles: u64,
@@ -237,7 +237,7 @@ pub fn pace(scene: &Scene, ranks: usize, network: Option<(f64, f64)>, comm: &Com
     pace::measure(scene, &plan.constants, (Footprint::new(scene, &plan, ranks).owned, network), comm)
 }
 
-/// How a run will go, as far as it can be known.
+/// The predicted course of a run, its output and its cost.
 struct Run<'a> {
     first: f64,
     limiting: &'a str,
@@ -272,11 +272,11 @@ struct Course<'a> {
     first: f64,
     limiting: &'a str,
     dt: f64,
-    /// s of simulated time.
+    /// End of the run in simulated time, s.
     end: f64,
     why: String,
     steps: f64,
-    /// Of the particles' own gravity.
+    /// Evaluations of the particles' own gravity.
     evaluations: f64,
 }
 
@@ -311,7 +311,7 @@ impl<'a> Course<'a> {
     }
 }
 
-/// The largest speed of a body's side, m/s: what limits the step of cold gas.
+/// The largest speed of a body's side, m/s: it limits the step of cold gas.
 fn fastest(scene: &Scene) -> f64 {
     let at_side = |body: &Body| {
         let mut side = body.centre;

@@ -1,4 +1,4 @@
-//! How fast this machine steps a scene: its own effects and pair terms, timed over a few steps on a block of particles, part
+//! Measures how fast this machine steps a scene: its own effects and pair terms, timed over a few steps on a block of particles, part
 //! of them in random motion; messages between two ranks, where there are two; and a small file.
 
 use std::io::Write;
@@ -50,9 +50,9 @@ const FILES: f64 = 5e8;
 #[derive(Debug, Clone)]
 pub struct Pace {
     pub machine: Machine,
-    /// Steps that a list of neighbours lived for.
+    /// Steps for which a neighbour list was used.
     pub life: f64,
-    /// What it was measured with.
+    /// Particles of the measurement.
     pub particles: usize,
     pub steps: usize,
     /// Where the figures of the network come from, and those of files.
@@ -84,17 +84,17 @@ fn measure_in<const D: usize>(
     let edge = owned.clamp(PARTICLES[0], PARTICLES[1]).powf(1.0 / D as f64) as u64;
     let particles = edge.pow(D as u32) as usize;
     let count = (UPDATES / particles).max(FEWEST_STEPS);
-    // Each rank steps a block of its own, all at once: they share memory and caches as in a run, and nobody waits.
+    // Each rank steps a block of its own, all at once: they share memory and caches as in a run, and no rank waits.
     let alone = comm.alone();
     let columns = block(scene, &plan, edge);
-    // The block is matter in open space, whatever holds the scene's.
+    // The block is matter in open space, whatever the boundaries of the scene.
     let settings = StepSettings { periods: Periods::OPEN, motions: None, ..plan.settings(scene) };
     let mut stepper = Stepper::<D>::new(&alone, columns, settings);
     let told = |failure: Failure| failure.error(|body| &scene.bodies[body].name);
     let mut times = Times::default();
     stepper.start().map_err(told)?;
     let mut dt = stepper.state.next;
-    // What comes once, as memory that is touched for the first time, does not count.
+    // One-time costs, such as memory that is touched for the first time, do not count.
     times.leave_out(&stepper.phases);
     if let Some(own) = stepper.settings.gravity.as_mut().and_then(|gravity| gravity.own.as_mut()) {
         own.interval = GRAVITY_EVERY * dt;
@@ -167,15 +167,15 @@ impl Times {
         self.leave_out(phases);
     }
 
-    /// s of processor time of each part in a step that has it. Phases are wall time, and share out the processor time that was
-    /// spent, where others had the core meanwhile.
+    /// s of processor time of each part in a step that has it. Processor time is divided in proportion to
+    /// the wall time of the phases, as other processes may have used the core meanwhile.
     fn of_parts(&self) -> [f64; PARTS.len()] {
         let share = (self.spent / self.wall.max(1e-9)).min(1.0);
         std::array::from_fn(|k| share * self.seconds[k] / self.steps[k].max(1) as f64)
     }
 }
 
-/// bytes/s of a file that rank 0 writes into the folder it stands in, down to the disk; none where it may not. Collective.
+/// bytes/s of a file that rank 0 writes into the current folder, down to the disk; none where it may not. Collective.
 fn file_speed(comm: &Comm) -> Option<f64> {
     let write = || -> std::io::Result<f64> {
         let path = format!(".sph-mpi-check-{}.tmp", std::process::id());
@@ -198,7 +198,7 @@ fn block(scene: &Scene, plan: &setup::Plan, edge: u64) -> Columns {
     let number = (0..scene.bodies.len()).max_by_key(|&body| plan.constants[body].particles).unwrap_or(0);
     let (body, constants) = (&scene.bodies[number], &plan.constants[number]);
     let spacing = constants.smoothing_length / scene.numerics.eta;
-    // Cold gas has no speed of sound, and steps as any that moves.
+    // Cold gas has no speed of sound: any speed will do.
     let speed = MOTION * Some(scales::sound_speed(scene, number)).filter(|sound| *sound > 0.0).unwrap_or(1.0);
     let last = edge.pow(scene.dimension as u32);
     let core = plan.view.core;

@@ -32,7 +32,7 @@ impl MaterialEffect for Continuity {
     fn initialise(&self, local: &Local) {
         let density = local.view(self.density.value);
         for (body, range) in local.runs() {
-            // What the scene has set stays.
+            // Densities set by the scene stay.
             for i in range.filter(|&i| density.get(i) == 0.0) {
                 density.set(i, local.constants[body].density);
             }

@@ -7,8 +7,8 @@
 //! damping           a' = a - (v - V) / tau          (V: the velocity at the start; for ever, or until a time)
 //! ```
 //!
-//! What holds a particle does work on it and takes up momentum. Both are integrated like everything else, so that a run with
-//! walls still knows whether it conserves: dW/dt = m (a' - a).v and dJ/dt = m (a' - a), with a the free acceleration. Energy
+//! A prescribed motion does work on a particle and changes its momentum. Both are integrated like other quantities, so that
+//! conservation can be checked with walls, too: dW/dt = m (a' - a).v and dJ/dt = m (a' - a), with a the free acceleration. Energy
 //! less W and momentum less J stay constant.
 
 use serde::{Deserialize, Serialize};
@@ -22,7 +22,7 @@ const DAMPING_STEP: f64 = 0.25;
 /// How a particle may move.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, Default)]
 pub enum Motion {
-    /// As the forces ask.
+    /// By the forces alone.
     #[default]
     Free,
     /// With this velocity, m/s, whatever the forces.
@@ -82,24 +82,24 @@ pub struct DampingLimit {
     pub particle: usize,
 }
 
-/// The prescribed motions of a scene and what they have done so far.
+/// The prescribed motions of a scene, and their work and impulse so far.
 #[derive(Debug, Clone)]
 pub struct Motions {
-    /// Of whole bodies.
+    /// Motions of whole bodies.
     pub bodies: Vec<Motion>,
-    /// Of layers; numbered from one on in the column.
+    /// Motions of layers; numbered from one on in the column.
     pub layers: Vec<Motion>,
     /// Layer of each particle, zero outside; only where there are layers.
     pub layer: Option<Column<f64>>,
-    /// Work done on the particle by what holds it, J.
+    /// Work done on the particle by its prescribed motion, J.
     pub work: Integrated<f64>,
-    /// Momentum it got from there, kg m/s.
+    /// Momentum added by its prescribed motion, kg m/s.
     pub impulse: Integrated<Vec3>,
     masses: Vec<f64>,
 }
 
 impl Motions {
-    /// Declares the columns, or `None` where everything moves freely: then nothing of this exists. `masses`: of a particle
+    /// Declares the columns, or `None` where everything moves freely: then nothing of this exists. `masses`: mass of a particle
     /// of each body, kg.
     pub fn declare(
         bodies: Vec<Motion>,
@@ -113,8 +113,8 @@ impl Motions {
         let state = |name, unit, about| ColumnInfo { name, unit, about, life: Life::State, snapshot: false };
         registry.owner("motion");
         let layer = "Number of the layer that prescribes the particle's motion, zero outside.";
-        let work = "Work done on the particle by what prescribes its motion.";
-        let impulse = "Momentum that the particle got from what prescribes its motion.";
+        let work = "Work done on the particle by its prescribed motion.";
+        let impulse = "Momentum added to the particle by its prescribed motion.";
         Some(Self {
             layer: (!layers.is_empty())
                 .then(|| registry.column(ColumnInfo { life: Life::Kept, snapshot: true, ..state("layer", "", layer) })),

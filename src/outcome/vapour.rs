@@ -1,7 +1,7 @@
-//! Which matter is vapour, and so holds nothing together: a gas; and what the equation of state knows as vapour. That is matter
+//! Which matter is vapour, and so has no cohesion: a gas; and vapour by its equation of state. That is matter
 //! hotter than the energy of complete vaporisation E_cv, at any density; and matter hotter than that of incipient vaporisation E_iv
-//! that is less dense than its solid, rho alpha < rho_0: there Tillotson's formula takes it for a mixture of liquid and gas, which
-//! bubbles part. Pressed together, such matter is condensed.
+//! that is less dense than its solid, rho alpha < rho_0: there Tillotson's formula treats it as a mixture of liquid and gas, which
+//! bubbles disrupt. Compressed, such matter is condensed.
 //!
 //! rho density, kg/m^3; alpha distention; rho_0 reference density of the matrix, kg/m^3.
 

@@ -15,8 +15,8 @@
 //!
 //! How many flaws a particle has, and at which strains they open, see `flaws`.
 //!
-//! Damage acts through a view of the stress (see `damage`) and is never written back into it; on shear of matter with friction
-//! through its yield strength alone (see `strength`).
+//! Damage weakens the acting stress (see `damage`) and is never written back into it; it acts on shear of matter with friction
+//! through the yield strength alone (see `strength`).
 //! Columns: owns `damage` and `activation_threshold`. D grows in `commit` alone and never decreases.
 //! Time step: none; at a Courant number of 0.25 and with 12 active flaws D^(1/3) grows by 0.11 per step.
 
@@ -181,7 +181,7 @@ impl MaterialEffect for Fracture {
         let (id, damage, threshold) = (local.view(self.id), local.view(self.damage), local.view(self.threshold));
         for (brittle, range) in self.bodies.runs(local) {
             for i in range {
-                // Joints are there already.
+                // Joints have damage from the start.
                 damage.set(i, damage.get(i).max(brittle.initial_damage));
                 threshold.set(i, brittle.flaws.weakest(id.get(i)));
             }
@@ -206,7 +206,7 @@ impl MaterialEffect for Fracture {
                     (s, p) = (s.scaled(alpha), alpha * p);
                 }
                 if brittle.friction {
-                    s = s.scaled(1.0 / intact); // the damage is in it
+                    s = s.scaled(1.0 / intact); // the yield strength accounts for damage
                 }
                 let strain = brittle.strain_above(threshold.get(i), &s, p, intact);
                 if let Some(strain) = strain {
@@ -383,8 +383,8 @@ mod tests {
         assert_eq!(gas.columns.registry.integrated.len(), 2, "density and energy");
     }
 
-    /// Whether damage of this much grows under a stress that pulls by `share` of what the weakest flaw bears, by shear or by
-    /// pressure, in matter with this distention.
+    /// Whether damage of this value grows under a tensile stress that is `share` of the one at which the weakest flaw opens, by shear
+    /// or by pressure, in matter with this distention.
     fn grows(material: &MaterialTable, (damage, distention): (f64, f64), share: f64, by_shear: bool) -> bool {
         let mut rig = Rig::new(material.clone());
         let (bulk, shear) = (26.7e9, 22.7e9);
@@ -422,7 +422,7 @@ mod tests {
         }
     }
 
-    /// With friction the deviator has the damage in it; what is left of the matter bears all of it: S / (1 - D).
+    /// With friction the deviator is the damaged one; the intact part of the matter bears all of it: S / (1 - D).
     #[test]
     fn flaws_feel_the_stress_of_what_is_left_whatever_the_law_of_yield() {
         let mut rock = basalt();

@@ -3,24 +3,24 @@
 //! ```text
 //! dS/dt = 2 mu (e - tr(e)/3) + Omega S - S Omega     Jutzi et al. 2008, eqs 31-32 with the sign of the spin corrected
 //! e = (L + L^T)/2    Omega = (L - L^T)/2
-//! S -> S min(1, Y / sqrt(3 J2)) or S min(1, Y / sqrt(J2)), as the law of `yield_law` says; J2 = S:S / 2
+//! S -> S min(1, Y / sqrt(3 J2)) or S min(1, Y / sqrt(J2)), depending on the law of `yield_law`; J2 = S:S / 2
 //! c_L^2 = c^2 + 4 mu / (3 rho)
 //! ```
 //! S deviatoric stress, mu shear modulus, Y yield strength, Pa; e strain rate, Omega spin, 1/s; c, c_L bulk and longitudinal
 //! speed of sound, m/s. In 2D this is plane strain: S_zz = -(S_xx + S_yy) counts in J2.
 //!
 //! In porous bodies S is that of the body, S_s / alpha with S_s of the matrix (Jutzi et al. 2008, eqs 45-53, with f on Hooke's
-//! term alone, as stress turns with the body whatever its pores do, and S for that of the body throughout):
+//! term alone, as stress rotates with the body whatever its pores do, and S is that of the body throughout):
 //!
 //! ```text
 //! dS/dt = f / alpha 2 mu (e - tr(e)/3) + Omega S - S Omega - S alpha' / alpha    c_L^2 = c^2 + 4 mu / (3 alpha rho)
 //! ```
 //! f of `porosity`, within 0 and 1; alpha' the rate of distention alpha. Y does not depend on alpha.
 //!
-//! Without friction S is the stress of the undamaged matter: damage is a view of it (see `fracture`) and is never written back.
-//! With friction Y knows of the damage, and S is the stress that acts: damage acts on shear in no other way, or broken rock
+//! Without friction S is the stress of the undamaged matter: damage weakens the acting stress (see `damage`) and is never written back.
+//! With friction Y depends on damage, and S is the acting stress: damage affects shear in no other way, or broken rock
 //! under pressure would bear none. Y then needs the pressure, so that S returns to its surface when that is known, at the state
-//! that the pair loop sees; damage is that of the step before.
+//! of the pair loop; damage is that of the step before.
 //! Columns: owns `deviatoric_stress`; stiffens the core column `sound_speed`.
 //! Time step: none of its own; the Courant condition uses the longitudinal speed.
 
@@ -83,7 +83,7 @@ struct Solid {
     shear_modulus: f64,
     yields: Yield,
     friction: bool,
-    /// Damage of bodies that cannot break further.
+    /// Constant damage of bodies without fracture.
     damage: f64,
     can_break: bool,
     /// Density of the matrix below which shear waves get no faster, kg/m^3.
@@ -112,7 +112,7 @@ pub struct Strength {
     solids: PerBody<Solid>,
     stress: Integrated<Deviator>,
     density: Column<f64>,
-    /// Where an equation of state has one; heat weakens nothing otherwise.
+    /// Where an equation of state has one; without it heat does not weaken.
     energy: Option<Column<f64>>,
     pressure: Column<f64>,
     sound_speed: Column<f64>,
@@ -137,7 +137,7 @@ impl MaterialEffect for Strength {
         });
         let energy = registry.find(eos::INTERNAL_ENERGY);
         if energy.is_none() && setup.materials.iter().any(MaterialTable::melts) {
-            return Err(Error::new("strength is to melt, but no equation of state has an internal energy"));
+            return Err(Error::new("strength falls with heat, but no equation of state has an internal energy"));
         }
         let breaks = |body| solids.of(body).is_some_and(|solid: &Solid| solid.friction && solid.can_break);
         let damage = (0..setup.constants.len()).any(breaks).then(|| damage_column(registry));
@@ -238,7 +238,7 @@ impl Strength {
         for i in range {
             let gradient = &local.motion[i].velocity_gradient;
             let (divergence, factor) = (gradient.trace(), stress_factor.get(i));
-            // Pores that gave way do not come back: the matrix follows an expansion alone.
+            // Collapsed pores do not reopen: in expansion the matrix takes all of the strain.
             let share = if divergence < 0.0 { factor.clamp(0.0, 1.0) } else { 1.0 };
             let modulus = 2.0 * solid.shear_modulus * share / distention.get(i);
             let s = stress.get(i);
@@ -312,7 +312,7 @@ mod tests {
         assert_eq!(rig.get(rig.core.density.value), 2700.0);
     }
 
-    /// Basalt with the library's friction, of damage that stays.
+    /// Basalt with the library's friction and constant damage.
     fn rock(melting: bool) -> MaterialTable {
         let mut rock = without_fracture(basalt());
         let strength = rock.strength.as_mut().unwrap();
@@ -356,7 +356,7 @@ mod tests {
         }
     }
 
-    /// Friction heats: what shear does goes into the matter, which melts in the end and bears nothing.
+    /// Friction heats: the work of shear heats the matter, which melts in the end and bears nothing.
     #[test]
     fn rubbing_heats_and_melts() {
         let mut rig = Rig::with_records(vec![rock(true)], Default::default(), 1.0);

@@ -1,4 +1,4 @@
-//! How much shear matter bears.
+//! Yield strength: how much shear matter bears.
 //!
 //! ```text
 //! von Mises         sqrt(3 J2) <= Y    Y = Y_M m(u)                                       Benz & Asphaug 1995
@@ -6,14 +6,14 @@
 //!                       Y_i = [Y_0 + mu_i P / (1 + mu_i P / (Y_M - Y_0))] m(u)            Lundborg 1968; Collins et al. 2004
 //!                       Y_d = Y_c + mu_d P
 //! Drucker-Prager    sqrt(J2)   <= Y    Y = min(Y_0 + mu P, Y_M) m(u)
-//! m(u) = max(0, 1 - u / u_melt)                                                           where `melting` is asked for
+//! m(u) = max(0, 1 - u / u_melt)                                                           where `melting` is given
 //! ```
 //! P pressure of the body, D damage, u specific internal energy, J/kg; Y_M largest strength at any pressure, Y_0 and Y_c cohesion
 //! of intact and of broken matter, Pa; mu_i, mu_d, mu coefficients of friction. Each law states which invariant it bounds: a
 //! number Y bears sqrt(3) times as much if sqrt(J2) is compared. A friction angle phi is mu = sin(phi) in plane shear and
 //! 6 sin(phi) / (sqrt(3) (3 - sin(phi))) in triaxial compression.
 //!
-//! In tension (P < 0) intact matter keeps Y_0, as flaws and not shear decide there; friction falls on along its line to zero
+//! In tension (P < 0) intact matter keeps Y_0, as flaws and not shear limit stress there; friction falls along its line to zero
 //! at P = -Y_c / mu_d (broken matter without cohesion bears none). Y of a porous body takes the pressure of the body, not of
 //! its matrix, and does not depend on alpha.
 
@@ -67,7 +67,7 @@ pub struct Yield {
 }
 
 impl StrengthTable {
-    /// Checks the law's own numbers.
+    /// Checks the parameters of the law.
     pub(super) fn validate_law(&self, place: &str) -> Result<()> {
         let largest = self.yield_strength.0;
         let below = |table: &str, cohesion: Pressure| {
@@ -99,7 +99,7 @@ impl StrengthTable {
         }
     }
 
-    /// Whether pressure decides how much shear matter bears. Damage then acts on shear through the yield strength alone.
+    /// Whether yield strength depends on pressure. Damage then acts on shear through the yield strength alone.
     pub fn has_friction(&self) -> bool {
         self.collins.is_some() || self.drucker_prager.is_some()
     }
@@ -240,7 +240,7 @@ mod tests {
         assert!(said(&ROCK.replace("0.8", "-0.8")).unwrap_err().contains("strength.collins.friction"));
     }
 
-    /// Heat takes strength from sand as from rock, and from solids without friction.
+    /// Heat weakens sand as it weakens rock, and solids without friction.
     #[test]
     fn melting_weakens_every_law() {
         for law in ["", "drucker_prager = { cohesion = 1e6, friction = 0.4 }"] {
