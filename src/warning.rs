@@ -1,5 +1,5 @@
-//! What a person should know before trusting an answer: warnings about a scene, a run, a search or a study. All kinds meet in one
-//! list, which goes to the terminal and the log, to summary.json, and, by kind, to the last line of what was run.
+//! Warnings about a scene, a run, a search or a study, which a user should know before trusting a result. All kinds are in one
+//! list, which goes to the terminal and the log, to summary.json, and, by kind, to the last line of the output.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 pub struct Warning {
     /// One word, for scripts: `energy`, `overlap` ...
     pub kind: String,
-    /// One sentence: figures, and what to change.
+    /// One sentence: figures, and the change to make.
     pub text: String,
 }
 

@@ -177,7 +177,7 @@ fn damaged_newest_checkpoint_gives_way_to_the_previous_one() {
         let legs = damaged(|newest, _| damage(newest));
         legs.finish();
         let log = fs::read_to_string(legs.file("log.txt")).expect("a log");
-        let last = log.lines().rfind(|line| line.contains("going on from"));
+        let last = log.lines().rfind(|line| line.contains("resuming from"));
         assert!(last.is_some_and(|line| line.ends_with("checkpoint_previous.h5")) && log.contains(says), "{log}");
     }
 }

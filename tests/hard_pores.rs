@@ -8,7 +8,7 @@ use sph_mpi::domain::comm::Comm;
 use sph_mpi::material::MaterialTable;
 use sph_mpi::material::porosity::law::{Compaction, Porous};
 use sph_mpi::math::{Deviator, Vec3};
-use sph_mpi::particles::Shape;
+use sph_mpi::particles::ColumnShape;
 
 use crate::common::{ByHand, IMPACT, ranks};
 
@@ -43,7 +43,7 @@ pub fn material<'a, const D: usize>(hand: &'a ByHand<D>, name: &str) -> &'a Mate
 
 pub fn all_finite<const D: usize>(hand: &ByHand<D>) -> bool {
     let entries = hand.stepper.columns.registry.entries.iter().enumerate();
-    let mut numbers = entries.filter(|(_, entry)| entry.shape != Shape::Id);
+    let mut numbers = entries.filter(|(_, entry)| entry.shape != ColumnShape::Id);
     numbers.all(|(index, _)| hand.stepper.columns.numbers(index).iter().all(|x| x.is_finite()))
 }
 
@@ -125,7 +125,7 @@ fn zero_porosity_is_the_solid() {
             let column = hand.stepper.columns.registry.entries.iter().position(|e| e.name == name).expect("a column");
             hand.stepper.columns.numbers(column).iter().map(|x| x.to_bits()).collect()
         };
-        let shared = solid.stepper.columns.registry.entries.iter().filter(|entry| entry.shape != Shape::Id);
+        let shared = solid.stepper.columns.registry.entries.iter().filter(|entry| entry.shape != ColumnShape::Id);
         let names: Vec<&str> = shared.map(|entry| entry.name.as_str()).collect();
         names.iter().for_each(|name| assert!(words(solid, name) == words(porous, name), "{name} differs"));
         let broken = solid.numbers("damage").iter().sum::<f64>() / solid.particles().len() as f64;

@@ -35,9 +35,9 @@ impl Comparison {
     /// Collective.
     pub fn sample<const D: usize>(&self, stepper: &Stepper<D>, time: f64, comm: &Comm) -> Option<[f64; 2]> {
         match &self.reference {
-            Reference::Swing(swing) => Some([time, signal::amplitude(swing, stepper, comm)]),
+            Reference::Vibration(vibration) => Some([time, signal::amplitude(vibration, stepper, comm)]),
             Reference::Rest(rest) => Some([time, rest::speed(rest, stepper, comm)]),
-            Reference::Profile(_) | Reference::Turn(_) => None,
+            Reference::Profile(_) | Reference::Rotation(_) => None,
         }
     }
 
@@ -52,10 +52,10 @@ impl Comparison {
     ) -> Result<Figures> {
         match &self.reference {
             Reference::Profile(profile) => profile::compare(profile, stepper, time, (&self.title, directory), comm),
-            Reference::Swing(swing) => signal::compare(swing, samples, (&self.title, directory), comm),
+            Reference::Vibration(vibration) => signal::compare(vibration, samples, (&self.title, directory), comm),
             Reference::Rest(rest) => rest::compare(rest, stepper, samples, (&self.title, directory), comm),
-            Reference::Turn(turn) => {
-                let turns = turn.spin * time / (2.0 * std::f64::consts::PI);
+            Reference::Rotation(rotation) => {
+                let turns = rotation.spin * time / (2.0 * std::f64::consts::PI);
                 let named = |name: &str, value| (name.to_string(), value);
                 Ok(Figures(vec![
                     named("angular_momentum", angular),

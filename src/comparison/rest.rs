@@ -18,7 +18,7 @@ use crate::error::Result;
 use crate::gravity::G;
 use crate::material::strength::DEVIATORIC_STRESS;
 use crate::math::{Deviator, ExactSum, Vec3};
-use crate::motion::Motion;
+use crate::motion::PrescribedMotion;
 use crate::output::agree;
 use crate::output::figures::curves::{Axis, Figure, Mark, Series};
 use crate::output::summary::Figures;
@@ -50,7 +50,7 @@ impl Rest {
     /// `None` for a scene without gravity. `after`: when motion begins to count, s.
     pub fn new(scene: &Scene, after: f64) -> Option<Self> {
         let up = scene.dimension - 1;
-        let free = || scene.bodies.iter().filter(|body| !matches!(body.motion, Motion::Prescribed(_)));
+        let free = || scene.bodies.iter().filter(|body| !matches!(body.motion, PrescribedMotion::Prescribed(_)));
         let fall = match (scene.gravity.own, scene.gravity.uniform) {
             (Some(_), _) => {
                 let radius = free().map(|body| body.shape.outer_radius()).fold(0.0, f64::max);
@@ -64,7 +64,7 @@ impl Rest {
         };
         let motions = scene.bodies.iter().map(|body| body.motion).chain(scene.layers.iter().map(|layer| layer.motion));
         let ends = motions.filter_map(|motion| match motion {
-            Motion::Damped { until, .. } => Some(until.unwrap_or(f64::INFINITY)),
+            PrescribedMotion::Damped { until, .. } => Some(until.unwrap_or(f64::INFINITY)),
             _ => None,
         });
         let field = match &scene.bodies[..] {

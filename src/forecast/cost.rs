@@ -177,7 +177,7 @@ fn load(scene: &Scene, plan: &Plan, footprint: &Footprint, (ranks, life): (usize
         watch_bytes: watch,
         build_bytes: footprint.ghosts * (site + skin * plan.registry.bytes_per_particle() as f64),
         history_every: scene.output.history_every as f64,
-        gravity: Course::new(scene, plan).evaluations_per_step(),
+        gravity: StepForecast::new(scene, plan).evaluations_per_step(),
     }
 }
 
@@ -228,7 +228,7 @@ pub fn predict(scene: &Scene, ranks: usize, pace: &Pace, comm: &Comm) -> Result<
     let footprint = Footprint::new(scene, &plan, ranks);
     let life = list_life(scene, &plan).unwrap_or(pace.life);
     let cost = Step::new(&pace.machine, &load(scene, &plan, &footprint, (ranks, life)));
-    Ok(Run::new(scene, &plan, &footprint, pace, (&cost, ranks)).price)
+    Ok(RunForecast::new(scene, &plan, &footprint, pace, (&cost, ranks)).price)
 }
 
 /// The pace of a scene. Collective.
@@ -238,7 +238,7 @@ pub fn pace(scene: &Scene, ranks: usize, network: Option<(f64, f64)>, comm: &Com
 }
 
 /// The predicted course of a run, its output and its cost.
-struct Run<'a> {
+struct RunForecast<'a> {
     first: f64,
     limiting: &'a str,
     dt: f64,
@@ -250,9 +250,9 @@ struct Run<'a> {
     price: Price,
 }
 
-impl<'a> Run<'a> {
+impl<'a> RunForecast<'a> {
     fn new(scene: &'a Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, (cost, ranks): (&Step, usize)) -> Self {
-        let Course { first, limiting, dt, end, why, steps, .. } = Course::new(scene, plan);
+        let StepForecast { first, limiting, dt, end, why, steps, .. } = StepForecast::new(scene, plan);
         let (files, bytes) = output(scene, plan, footprint.particles, (end, steps * cost.wall()));
         let writing = bytes / pace.machine.files;
         let inside = libm::pow(1.0 + scene.numerics.skin, -(scene.dimension as f64));
@@ -268,7 +268,7 @@ impl<'a> Run<'a> {
 }
 
 /// The steps of a run, as far as they can be known.
-struct Course<'a> {
+struct StepForecast<'a> {
     first: f64,
     limiting: &'a str,
     dt: f64,
@@ -280,7 +280,7 @@ struct Course<'a> {
     evaluations: f64,
 }
 
-impl<'a> Course<'a> {
+impl<'a> StepForecast<'a> {
     fn new(scene: &'a Scene, plan: &Plan) -> Self {
         let (first, limiting) = match step(scene, plan, 0.0) {
             (dt, limiting) if dt.is_finite() => (dt, limiting),
@@ -344,7 +344,7 @@ fn soft_step(scene: &Scene, plan: &Plan) -> Option<f64> {
 }
 
 fn time(scene: &Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, (cost, ranks): (&Step, usize)) -> String {
-    let run = Run::new(scene, plan, footprint, pace, (cost, ranks));
+    let run = RunForecast::new(scene, plan, footprint, pace, (cost, ranks));
     let mut text = String::new();
     let mut line = |what: &str, value: String| {
         let _ = writeln!(text, "  {what:<34}{value}");

@@ -138,7 +138,7 @@ pub struct BodyConstants {
 
 /// The flow around one particle, from the sums over its pairs.
 #[derive(Debug, Clone, Copy)]
-pub struct Motion {
+pub struct LocalFlow {
     /// Velocity gradient, corrected where the scene requests it, 1/s.
     pub velocity_gradient: Mat3,
     /// du/dt by stress and viscosity, the counterpart of the momentum sums, J/(kg s).
@@ -152,7 +152,7 @@ pub struct Local<'a> {
     pub bodies: &'a [u16],
     pub constants: &'a [BodyConstants],
     /// Flow around each particle; empty outside `rates` and `step_limit`.
-    pub motion: &'a [Motion],
+    pub flow: &'a [LocalFlow],
     /// Rates of the integrated columns; an effect writes those of its own within `rates`.
     pub rates: &'a Rates,
     /// Seconds since the last commit; only within `commit`.
@@ -252,7 +252,7 @@ pub trait MaterialEffect: Send + Sync {
     /// `local.dt`.
     fn commit(&self, _local: &Local) {}
 
-    /// The largest time step, evaluated after `rates` with `local.motion` and new rates at hand.
+    /// The largest time step, evaluated after `rates` with `local.flow` and new rates at hand.
     fn step_limit(&self, _local: &Local) -> Option<StepLimit> {
         None
     }

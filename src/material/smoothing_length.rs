@@ -95,7 +95,7 @@ mod tests {
             chunk: &chunk,
             bodies: &[0],
             constants: &constants,
-            motion: &[],
+            flow: &[],
             rates: &rates,
             dt: 0.0,
         });

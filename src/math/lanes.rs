@@ -32,7 +32,7 @@ pub fn width() -> Width {
         } else {
             Width::Portable
         };
-        match wish(&std::env::var(VARIABLE).unwrap_or_default()) {
+        match requested(&std::env::var(VARIABLE).unwrap_or_default()) {
             Ok(Some(Width::Portable)) => Width::Portable,
             Ok(Some(Width::Avx2)) if avx2 => Width::Avx2,
             Ok(Some(Width::Avx512)) if avx512 => Width::Avx512,
@@ -46,10 +46,10 @@ const VARIABLE: &str = "SPH_MPI_SIMD";
 
 /// An error where the environment requests an unknown instruction set.
 pub fn check_requested() -> Result<()> {
-    wish(&std::env::var_os(VARIABLE).unwrap_or_default().to_string_lossy()).map(drop)
+    requested(&std::env::var_os(VARIABLE).unwrap_or_default().to_string_lossy()).map(drop)
 }
 
-fn wish(name: &str) -> Result<Option<Width>> {
+fn requested(name: &str) -> Result<Option<Width>> {
     match name {
         "" => Ok(None),
         "portable" => Ok(Some(Width::Portable)),
@@ -586,9 +586,9 @@ mod tests {
     }
 
     #[test]
-    fn a_wish_is_understood_or_refused() {
-        assert_eq!((wish("").unwrap(), wish("avx2").unwrap()), (None, Some(Width::Avx2)));
-        let error = wish("avx1024").unwrap_err().to_string();
+    fn a_request_is_understood_or_refused() {
+        assert_eq!((requested("").unwrap(), requested("avx2").unwrap()), (None, Some(Width::Avx2)));
+        let error = requested("avx1024").unwrap_err().to_string();
         assert!(error.contains("SPH_MPI_SIMD: `avx1024`") && error.contains("avx512"), "{error}");
     }
 }

@@ -40,13 +40,13 @@ pub fn by_body(
         // Only this body is evaluated.
         let alone = Question { bodies: [body, usize::MAX], others: true, target_mass: masses[body], ..*question };
         let pieces = fragments::pieces(comm, &scale, (particles, &labels), alone.bodies);
-        tell(comm, pieces, evaluation, &alone)
+        shares(comm, pieces, evaluation, &alone)
     };
     bodies.iter().map(tell).collect()
 }
 
 /// `pieces`: those of the evaluation, in the same order, with the matter of one body summed apart.
-fn tell(comm: &Comm, pieces: Vec<Piece>, evaluation: &Evaluation, alone: &Question) -> Origin {
+fn shares(comm: &Comm, pieces: Vec<Piece>, evaluation: &Evaluation, alone: &Question) -> Origin {
     let held = |members: &[bool]| {
         let mut sum = [ExactSum::new()];
         pieces.iter().zip(members).filter(|(_, member)| **member).for_each(|(piece, _)| sum[0].add(piece.of[0]));

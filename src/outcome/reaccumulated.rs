@@ -65,6 +65,7 @@ pub struct Reaccumulated {
     /// Mass of everything, kg.
     total: f64,
     /// (time, s; remnant), oldest first; the oldest at or before the start of the last window, once there is one.
+    #[serde(alias = "looks")]
     evaluations: VecDeque<(f64, Remnant)>,
 }
 

@@ -37,7 +37,7 @@ impl Law {
     }
 }
 
-/// Tells vapour from the columns of a scene.
+/// Detects vapour by the columns of a scene.
 pub struct Vapour {
     laws: Vec<Law>,
     energy: Option<Column<f64>>,
@@ -46,7 +46,7 @@ pub struct Vapour {
 }
 
 impl Vapour {
-    /// `materials`: of each body.
+    /// `materials`: one per body.
     pub fn new<'a>(registry: &Registry, core: &Core, materials: impl Iterator<Item = &'a MaterialTable>) -> Self {
         Self {
             laws: materials.map(Law::of).collect(),
@@ -56,7 +56,7 @@ impl Vapour {
         }
     }
 
-    /// Damage of particle `i` of `body` as fragments see it: whole where it is vapour.
+    /// Damage of particle `i` of `body` for linking fragments: 1 where it is vapour.
     pub fn damage(&self, columns: &Columns, (i, body): (usize, usize), damage: f64) -> f64 {
         let u = self.energy.map_or(0.0, |column| columns.get(column, i));
         // Bodies without pores have a distention of one.

@@ -1,4 +1,4 @@
-//! What acts between two particles. One loop per substep, in gather form: every particle sums over all its neighbours, so
+//! Interactions of pairs of particles. One loop per substep, in gather form: every particle sums over all its neighbours, so
 //! that no two threads write to one place, and each term is antisymmetric (forces) or matched (energy) pair by pair:
 //!
 //!   a_i   = (1/rho_i) sum_j V_j (sigma_i + sigma_j - p_ij 1 + f^4 (R_i + R_j)) . gW
@@ -23,7 +23,7 @@ pub mod interact;
 pub mod record;
 pub mod rows;
 pub mod stress;
-pub mod torque;
+pub mod angular_momentum;
 pub mod viscosity;
 
 pub use dispatch::PairLoop;

@@ -1,5 +1,5 @@
-//! What can be seen to be wrong with a scene before any particle exists, beyond what reading it shows: whatever is to run or to be
-//! checked passes here first, so that both say the same.
+//! Errors of a scene that can be found before any particle exists, beyond those of reading it. Runs and `--check` both pass
+//! here first, so that they report the same.
 
 use crate::comparison::Comparison;
 use crate::comparison::modes;

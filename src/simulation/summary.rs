@@ -1,4 +1,4 @@
-//! The summary of a run: its figures, and what it says on the terminal at its end.
+//! The summary of a run: its figures, and its last lines on the terminal.
 
 use std::path::Path;
 
@@ -82,7 +82,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
     summary
 }
 
-/// What became of each body.
+/// The fate of each body.
 fn remnants(outcome: &Outcome, scene: &Scene) -> Remnants {
     let named = |name: &str, value: f64| (name.to_string(), value);
     let bodies = outcome.bodies.iter().map(|origin| {
@@ -135,7 +135,7 @@ fn outcome_figures<const D: usize>(report: &Report<D>) -> Figures {
     for (diagnostic, total) in diagnostics.zip(&report.totals.effects) {
         match diagnostic.name.strip_suffix("_mass") {
             Some(what) => figures.push((format!("{what}_fraction"), total / report.totals.mass)),
-            // A crater may have told it.
+            // A crater may have reported it.
             None if figures.iter().all(|(name, _)| name != diagnostic.name) => {
                 figures.push((diagnostic.name.to_string(), *total))
             }
@@ -167,7 +167,7 @@ fn remnant_figures(outcome: &Outcome, later: Option<&Outcome>) -> Vec<(String, f
     figures
 }
 
-/// The end of a run on the terminal, rank 0; the first `said` warnings were said before.
+/// The end of a run on the terminal, rank 0; the first `said` warnings were printed before.
 pub fn print(summary: &Summary, (crater, said): (Option<&Crater>, usize), directory: &Path, is_root: bool) {
     let phase = |phase: Phase| 100.0 * summary.phases.0[phase as usize].1;
     let turning = match summary.angular_momentum_drift {

@@ -1,4 +1,4 @@
-//! The points of a study with what each will cost, before any of them runs: the text of `--check`, and a plain list.
+//! The points of a study with their costs, before any of them runs: the text of `--check`, and a plain list.
 
 use std::fmt::Write;
 

@@ -11,7 +11,7 @@ const TOLERANCE: f64 = 0.25;
 pub struct Order {
     /// p
     pub order: f64,
-    /// Of p; none for two spacings, which any line fits.
+    /// Standard error of p; `None` for two spacings, which any line fits.
     pub standard_error: Option<f64>,
     /// ln C, spacings in m.
     pub ln_coefficient: f64,
@@ -36,7 +36,7 @@ pub fn line(points: &[(f64, f64)]) -> Option<(f64, Option<f64>, f64)> {
     Some((slope, error, intercept))
 }
 
-/// Of (spacing, error) from coarse to fine; none for fewer than two spacings. Errors of zero tell no order.
+/// The order of (spacing, error) from coarse to fine; `None` for fewer than two spacings. Errors of zero give no order.
 pub fn order(points: &[(f64, f64)]) -> Option<Order> {
     let logs: Vec<(f64, f64)> =
         points.iter().filter(|p| p.0 > 0.0 && p.1 > 0.0).map(|p| (libm::log(p.0), libm::log(p.1))).collect();

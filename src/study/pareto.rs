@@ -1,11 +1,11 @@
-//! The Pareto front: what nothing else beats in both cost and error. And what an error costs: curves of one setting from
-//! coarse to fine, read between their points by straight lines in logarithms.
+//! The Pareto front: points that no other beats in both cost and error. And the cost of an error: curves of one setting from
+//! coarse to fine, interpolated by straight lines in logarithms.
 
 use serde::{Deserialize, Serialize};
 
 use super::order::line;
 
-/// Points that no other beats, from cheap to dear. `points` are (cost, error); one that is missing beats nothing.
+/// Points that no other beats, from cheap to expensive. `points` are (cost, error); one that is missing beats nothing.
 pub fn front(points: &[Option<(f64, f64)>]) -> Vec<usize> {
     let mut order: Vec<(usize, f64, f64)> =
         points.iter().enumerate().filter_map(|(k, point)| point.map(|(cost, error)| (k, cost, error))).collect();
@@ -40,7 +40,7 @@ pub enum Known {
     Extrapolated,
 }
 
-/// What an error costs with one setting.
+/// The cost of an error with one setting.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Price {
     pub cost: f64,
@@ -49,8 +49,8 @@ pub struct Price {
     pub known: Known,
 }
 
-/// The step of `curve` (coarse to fine) from which on every error is within `target`. One that is so by chance, with finer
-/// ones above it, does not count.
+/// The step of `curve` (coarse to fine) from which on every error is within `target`. A step that is so by chance, with finer
+/// ones above the target, does not count.
 pub fn first_within(curve: &[Step], target: f64) -> Option<usize> {
     let beyond = curve.iter().rposition(|step| step.error > target).map_or(0, |k| k + 1);
     (beyond < curve.len()).then_some(beyond)
@@ -72,7 +72,7 @@ pub fn price(curve: &[Step], target: f64) -> Option<Price> {
     })
 }
 
-/// The same beyond the finest run, by straight lines through all: error over spacing of this `order`, cost over spacing.
+/// The cost by extrapolation beyond the finest run, by straight lines through all: error over spacing of this `order`, cost over spacing.
 pub fn beyond(curve: &[Step], target: f64, order: f64) -> Option<Price> {
     let finest = curve.last()?;
     let logs: Vec<(f64, f64)> = curve.iter().map(|s| (libm::log(s.spacing), libm::log(s.cost))).collect();
@@ -115,7 +115,7 @@ mod tests {
         assert!(beyond(&curve(), 0.001, -1.0).is_none() && beyond(&curve()[..1], 0.001, 1.0).is_none());
     }
 
-    /// An error that happens to pass through zero is no accuracy.
+    /// An error that happens to pass through zero does not count.
     #[test]
     fn luck_does_not_count() {
         let mut lucky = curve();

@@ -212,8 +212,8 @@ impl MaterialEffect for EquationOfState {
 
     fn rates(&self, local: &Local) {
         let Some(rate) = self.energy.map(|energy| local.rate(energy)) else { return };
-        for (i, motion) in local.motion.iter().enumerate() {
-            rate.set(i, motion.heating);
+        for (i, flow) in local.flow.iter().enumerate() {
+            rate.set(i, flow.heating);
         }
     }
 

@@ -318,7 +318,7 @@ impl MaterialEffect for Porosity {
                 continue;
             }
             for i in range {
-                let divergence = local.motion[i].velocity_gradient.trace();
+                let divergence = local.flow[i].velocity_gradient.trace();
                 let rate =
                     distention_rate(stress_factor.get(i), divergence) * distention.get(i) / (porous.initial - 1.0);
                 if -rate > fastest.0 {

@@ -168,7 +168,7 @@ impl MaterialEffect for Strength {
                 continue;
             }
             for i in range {
-                let gradient = &local.motion[i].velocity_gradient;
+                let gradient = &local.flow[i].velocity_gradient;
                 let elastic = Deviator::of(&Sym::symmetric_part(gradient), 2.0 * solid.shear_modulus);
                 rate.set(i, elastic.plus(&stress.get(i).turned_by(gradient)));
             }
@@ -236,7 +236,7 @@ impl Strength {
         let (stress, rate) = (local.view(self.stress.value), local.rate(self.stress));
         let (distention, stress_factor) = (local.view(pores.distention), local.view(pores.stress_factor));
         for i in range {
-            let gradient = &local.motion[i].velocity_gradient;
+            let gradient = &local.flow[i].velocity_gradient;
             let (divergence, factor) = (gradient.trace(), stress_factor.get(i));
             // Collapsed pores do not reopen: in expansion the matrix takes all of the strain.
             let share = if divergence < 0.0 { factor.clamp(0.0, 1.0) } else { 1.0 };
