@@ -111,7 +111,7 @@ fn loading_again_in_a_flying_body() {
 }
 
 /// alpha_0 = 1 is the solid, bit for bit. Were D_c = 1 - (alpha - 1) / (alpha_0 - 1) taken as it is written, the run would end in
-/// its first evaluation: compaction_damage is no number.
+/// its first evaluation: compaction_damage is NaN.
 #[test]
 fn zero_porosity_is_the_solid() {
     ranks(1, "hard_pores::zero_porosity_is_the_solid", |comm| {
@@ -155,7 +155,7 @@ until = 1
 "#;
 
 /// On the crush curve, at rest: f has to come from the state. Divided by the rate of density, the first evaluation fails: effect
-/// `strength` makes a rate of deviatoric_stress that is no number.
+/// `strength` makes a rate of deviatoric_stress that is not finite.
 #[test]
 fn no_rate_of_density() {
     ranks(1, "hard_pores::no_rate_of_density", |comm| {

@@ -275,7 +275,7 @@ fn draw<const D: usize>(
     let mut count = [samples.len() as i64];
     comm.all_sum(&mut count);
     let share = SHOWN / count[0].max(1) as f64;
-    // Drawn by number among a rank's own: which particles are shown says nothing about the run.
+    // A random sample by the rank's own numbering: it depends on ranks, but only in the picture.
     let shown = samples.iter().zip(0u64..).filter(|(_, k)| uniform_pair(stepper.comm.rank() as u64, *k, 0)[0] < share);
     let words: Vec<u64> =
         shown.flat_map(|(p, _)| [p.s].into_iter().chain(fields(&p.state)).map(f64::to_bits)).collect();

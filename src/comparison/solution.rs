@@ -35,7 +35,7 @@ pub struct Profile {
     pub origin: f64,
 }
 
-/// What a coordinate measures.
+/// The meaning of a coordinate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Place {
     /// Along this axis; the velocity that counts is that along `moves`.
@@ -55,7 +55,7 @@ pub struct Vibration {
     pub speed: f64,
 }
 
-/// A turning body.
+/// A rotating body.
 pub struct Rotation {
     /// rad/s.
     pub spin: f64,
@@ -196,7 +196,7 @@ fn piston(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
     let at = Box::new(move |x: f64, t: f64| {
         let x = side * (x - face);
         let state = solution.at(x, t);
-        // What is behind the face is the piston.
+        // The piston is behind the face.
         if x < speed.abs() * t { NOTHING } else { State { velocity: side * state.velocity, ..state } }
     });
     Ok(Profile { place: Place::Axis { along, moves: along }, within, core: None, at, origin: face })

@@ -75,7 +75,7 @@ impl Comm {
         Self::over(raw, (rank, size), Some(universe))
     }
 
-    /// This rank by itself, for work that others take no part in.
+    /// This rank alone, for work without the others.
     pub fn alone(&self) -> Self {
         // SAFETY: a constant of the MPI library.
         Self::over(unsafe { ffi::RSMPI_COMM_SELF }, (0, 1), None)
@@ -111,7 +111,7 @@ impl Comm {
         self.rank == 0
     }
 
-    /// The communicator as a library written in C wants it.
+    /// The handle of the communicator for libraries written in C.
     pub fn raw(&self) -> ffi::MPI_Comm {
         self.raw
     }
@@ -146,7 +146,7 @@ impl Comm {
         }
     }
 
-    /// The hints as a library written in C wants them; none where none are set.
+    /// The handle of the hints for libraries written in C; `None` where none are set.
     pub fn raw_file_hints(&self) -> Option<ffi::MPI_Info> {
         let info = self.file_hints.get();
         // SAFETY: a constant of the MPI library.
@@ -481,7 +481,7 @@ impl Exchange {
         &mut self.outgoing
     }
 
-    /// What came, once [`Exchange::wait`] has returned.
+    /// The messages received, once [`Exchange::wait`] has returned.
     pub fn incoming(&self) -> &[f64] {
         assert!(!self.running, "messages are on their way");
         &self.incoming

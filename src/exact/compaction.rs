@@ -67,7 +67,7 @@ impl PorousMedium {
         self.front(&self.at_rest(), gain).map(Some)
     }
 
-    /// What a piston with this speed, m/s, drives into it.
+    /// The waves that a piston with this speed, m/s, drives into it.
     pub fn piston(&self, speed: f64) -> Result<Piston> {
         all_positive(&[("the density", self.density), ("the speed of the piston", speed)])?;
         let ahead = self.at_rest();

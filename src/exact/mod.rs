@@ -26,7 +26,7 @@ pub struct State {
     pub stress: f64,
     /// Specific, J/kg.
     pub internal_energy: f64,
-    /// Zero where the solution knows of no pores.
+    /// Zero where the solution has no pores.
     pub distention: f64,
 }
 

@@ -11,7 +11,7 @@
 //! ```
 //! x = k R or k L, y = k s, g = (c_S / c_L)^2, q = (cosh x + cos x) / (sinh x + sin x); j and J Bessel functions, theta the angle
 //! from the axis, s the distance from the clamped or a free end, L length, H thickness, E' Young's modulus in plane strain. In
-//! the torsional mode of the sphere the hemispheres turn against each other; that of the disc is that of a long cylinder too.
+//! the torsional mode of the sphere the hemispheres rotate against each other; that of the disc is that of a long cylinder too.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! What a scene is and what it will cost, before it runs: the text of `--check`.
+//! Description and predicted cost of a scene, before it runs: the text of `--check`.
 
 use std::fmt::Write;
 
@@ -83,7 +83,7 @@ fn bodies(scene: &Scene, plan: &Plan) -> String {
 /// Effects and pair terms, each with the tables that request it.
 fn effects(scene: &Scene, plan: &Plan) -> String {
     let understood: Table = scene.to_toml().parse().unwrap_or_default();
-    let mut rows = vec![words(["effect", "asked for by"])];
+    let mut rows = vec![words(["effect", "requested by"])];
     let mut row = |name: &str| {
         let tables = tables(&understood, name);
         let why = if tables.is_empty() { "every scene".to_string() } else { tables.join(", ") };
@@ -213,7 +213,7 @@ fn one_step(alone: &Step, shared: &Step, (pace, life): (&Pace, f64), ranks: usiz
 
 /// The predicted cost of one run of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Price {
+pub struct PredictedCost {
     pub particles: u64,
     pub steps: f64,
     pub wall_seconds: f64,
@@ -223,7 +223,7 @@ pub struct Price {
 }
 
 /// Predicts a run on `ranks` ranks of one thread each, by a pace that was measured with the same effects. Collective.
-pub fn predict(scene: &Scene, ranks: usize, pace: &Pace, comm: &Comm) -> Result<Price> {
+pub fn predict(scene: &Scene, ranks: usize, pace: &Pace, comm: &Comm) -> Result<PredictedCost> {
     let plan = setup::plan(scene, particles(scene, comm)?)?;
     let footprint = Footprint::new(scene, &plan, ranks);
     let life = list_life(scene, &plan).unwrap_or(pace.life);
@@ -247,7 +247,7 @@ struct RunForecast<'a> {
     files: String,
     bytes: f64,
     writing: f64,
-    price: Price,
+    price: PredictedCost,
 }
 
 impl<'a> RunForecast<'a> {
@@ -256,7 +256,7 @@ impl<'a> RunForecast<'a> {
         let (files, bytes) = output(scene, plan, footprint.particles, (end, steps * cost.wall()));
         let writing = bytes / pace.machine.files;
         let inside = libm::pow(1.0 + scene.numerics.skin, -(scene.dimension as f64));
-        let price = Price {
+        let price = PredictedCost {
             particles: footprint.particles,
             steps,
             wall_seconds: steps * cost.wall() + writing,
@@ -371,7 +371,7 @@ fn time(scene: &Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, (cost, r
     format!("\ntime; core-seconds are without waits of ranks for each other and without output\n{text}")
 }
 
-/// What a run writes, in words and in bytes. `until`: its end in simulated time, s, and in wall time, s.
+/// The output of a run, in words and in bytes. `until`: its end in simulated time, s, and in wall time, s.
 fn output(scene: &Scene, plan: &Plan, particles: u64, until: (f64, f64)) -> (String, f64) {
     let entries = &plan.registry.entries;
     let words = |wanted: &dyn Fn(&Entry) -> bool| entries.iter().filter(|e| wanted(e)).map(|e| e.width).sum::<usize>();
@@ -400,7 +400,7 @@ fn step<'a>(scene: &'a Scene, plan: &Plan, approach: f64) -> (f64, &'a str) {
     steps.fold((f64::INFINITY, ""), |a, b| if b.0 < a.0 { b } else { a })
 }
 
-/// When the run will end, s, as far as it can be known, and what says so.
+/// When the run will end, s, as far as it can be known, and by which condition.
 fn end(scene: &Scene) -> (f64, String) {
     let (end, why) = match scene.run.until {
         Until::Time(end) => (end, "run.until".to_string()),

@@ -1,4 +1,4 @@
-//! What a step costs on any number of ranks: counts, known from the scene, times what each of them takes, measured.
+//! The cost of a step on any number of ranks: counts, known from the scene, times their measured times.
 //!
 //! ```text
 //! work    = owned entries pair  +  owned update  +  owned totals / history_every  +  owned gravity evaluations

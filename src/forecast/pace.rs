@@ -40,13 +40,13 @@ const PARTS: [&[Phase]; 6] = [
 ];
 /// Steps from one evaluation of gravity to the next, while it is timed.
 const GRAVITY_EVERY: f64 = 4.5;
-/// A network between machines as clusters have it, s and bytes/s, where nothing is measured or said.
+/// A network between machines as clusters have it, s and bytes/s, where none is measured or given.
 const NETWORK: (f64, f64) = (2e-6, 5e9);
 /// Bytes written to see how fast files are, and bytes/s where nothing can be written.
 const FILE: usize = 16 << 20;
 const FILES: f64 = 5e8;
 
-/// What was measured.
+/// The measured times and rates.
 #[derive(Debug, Clone)]
 pub struct Pace {
     pub machine: Machine,
@@ -90,9 +90,9 @@ fn measure_in<const D: usize>(
     // The block is matter in open space, whatever the boundaries of the scene.
     let settings = StepSettings { periods: Periods::OPEN, motions: None, ..plan.settings(scene) };
     let mut stepper = Stepper::<D>::new(&alone, columns, settings);
-    let told = |failure: Failure| failure.error(|body| &scene.bodies[body].name);
+    let as_error = |failure: Failure| failure.error(|body| &scene.bodies[body].name);
     let mut times = Times::default();
-    stepper.start().map_err(told)?;
+    stepper.start().map_err(as_error)?;
     let mut dt = stepper.state.next;
     // One-time costs, such as memory that is touched for the first time, do not count.
     times.leave_out(&stepper.phases);
@@ -100,7 +100,7 @@ fn measure_in<const D: usize>(
         own.interval = GRAVITY_EVERY * dt;
     }
     for _ in 0..count {
-        dt = stepper.step(dt, stepper.state.time + dt, 0).map_err(told)?.dt;
+        dt = stepper.step(dt, stepper.state.time + dt, 0).map_err(as_error)?.dt;
         stepper.totals();
         times.note(&stepper.phases);
     }

@@ -10,7 +10,7 @@
 //! support also bears its weight. Over time uniform gravity gives all matter the momentum M g t; particles' own gravity gives none.
 //!
 //! Evaluations of own gravity may be rarer than steps. A particle that kept the acceleration of the last one would be pulled to
-//! where the centre was: a body that turns by an angle of theta in one interval would gain angular momentum at first order in theta.
+//! where the centre was: a body that rotates by an angle of theta in one interval would gain angular momentum at first order in theta.
 //! Between evaluations n and n + 1 the field is therefore extrapolated, `s` seconds after t_n:
 //!
 //! ```text
@@ -18,7 +18,7 @@
 //! u = d_n + 0.8 T_n / (T_n + T_(n-1)) (d_n - d_(n-1)),            d_n = (a_n - a_(n-1)) / T_n
 //! ```
 //!
-//! u is the rate at t_n - T_n / 10 of the parabola through the last three evaluations. Of a body or a pair that turns, the torque
+//! u is the rate at t_n - T_n / 10 of the parabola through the last three evaluations. For a rotating body or pair, the torque
 //! of the change alone (u = d_n) is on average a theta^3 / 3, that with the rate at t_n a theta^3 / 12 the other way; here
 //! theta^3 cancels. At the start the first interval is one step, and each next one at most twice as long as the one before.
 //!
@@ -271,7 +271,7 @@ mod tests {
         assert!(always.is_due(&timing(Some(0.0)), 1e-9));
     }
 
-    /// The mean torque of an extrapolated field on a body that turns by `turn` in an interval, over its acceleration.
+    /// The mean torque of an extrapolated field on a body that rotates by `turn` in an interval, over its acceleration.
     fn torque(turn: f64, spans: [f64; 2]) -> f64 {
         let pull = |angle: f64| Vec3::new(-angle.cos(), -angle.sin(), 0.0);
         let at = |time: f64| pull(turn * time);

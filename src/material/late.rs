@@ -170,10 +170,10 @@ mod tests {
         material.porosity = Some(toml::from_str(text).unwrap());
         let mut rig = Rig::new(material);
         let alpha = rig.column::<f64>(porosity::DISTENTION);
-        let squeeze = Mat3::from_diagonal_element(-1.0);
-        rig.step(&squeeze, 0.0);
+        let compression = Mat3::from_diagonal_element(-1.0);
+        rig.step(&compression, 0.0);
         (0..20).for_each(|_| {
-            rig.step(&squeeze, 1e-3);
+            rig.step(&compression, 1e-3);
         });
         let (late, _) = softened(1e7);
         let kept = rig.get(alpha);

@@ -91,14 +91,7 @@ mod tests {
         let chunks = Chunks::new(&mut columns, Vec::new());
         // SAFETY: the only chunk.
         let chunk = unsafe { chunks.chunk(0..1) };
-        effect.update(&Local {
-            chunk: &chunk,
-            bodies: &[0],
-            constants: &constants,
-            flow: &[],
-            rates: &rates,
-            dt: 0.0,
-        });
+        effect.update(&Local { chunk: &chunk, bodies: &[0], constants: &constants, flow: &[], rates: &rates, dt: 0.0 });
         columns.get(effect.value, 0) / smoothing_length
     }
 

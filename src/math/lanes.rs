@@ -55,7 +55,9 @@ fn requested(name: &str) -> Result<Option<Width>> {
         "portable" => Ok(Some(Width::Portable)),
         "avx2" => Ok(Some(Width::Avx2)),
         "avx512" => Ok(Some(Width::Avx512)),
-        _ => Err(Error::new(format!("`{name}` is not an instruction set")).at(VARIABLE).allowed("portable, avx2, avx512")),
+        _ => Err(Error::new(format!("`{name}` is not an instruction set"))
+            .at(VARIABLE)
+            .allowed("portable, avx2, avx512")),
     }
 }
 

@@ -140,7 +140,7 @@ pub(super) fn rank_of(piece: &Piece) -> u128 {
 /// The least ranking such that at most `most` of all ranks' pieces reach it, by bisection over its bits.
 pub(super) fn least_listed(comm: &Comm, mut rankings: Vec<u128>, most: u64) -> u128 {
     rankings.sort_unstable();
-    // Invariant: at most `most` reach `high`, and if fewer than that can be had at all, more than that reach `low`.
+    // Invariant: at most `most` reach `high`, and more than that reach every value below `low`.
     let (mut low, mut high) = (0u128, u128::MAX);
     while low < high {
         let middle = low + (high - low) / 2;

@@ -187,17 +187,17 @@ impl Ghosts {
 
     /// Lowers labels to those that neighbouring ranks know, until no label changes anywhere.
     fn settle(&self, comm: &Comm, sets: &mut Sets, label: &mut [u64], owned: usize) {
-        let mut told = vec![u64::MAX; owned];
+        let mut sent_before = vec![u64::MAX; owned];
         loop {
             let mut fresh = vec![false; owned];
             for i in 0..owned {
                 let now = label[sets.root(i)];
-                fresh[i] = now != told[i];
-                told[i] = now;
+                fresh[i] = now != sent_before[i];
+                sent_before[i] = now;
             }
             let news = |list: &[u32]| -> Vec<u64> {
                 let fresh = list.iter().enumerate().filter(|(_, i)| fresh[**i as usize]);
-                fresh.flat_map(|(k, &i)| [k as u64, told[i as usize]]).collect()
+                fresh.flat_map(|(k, &i)| [k as u64, sent_before[i as usize]]).collect()
             };
             let messages =
                 self.sent.iter().map(|(rank, list)| (*rank, news(list))).filter(|(_, words)| !words.is_empty());

@@ -10,7 +10,7 @@ use super::publish::{cannot, prepare, publish, sync_directory_of};
 use super::state_hash::{HashSum, hash_columns, state_columns};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
-use crate::particles::{Column, Columns, ParticleId, Registry, ColumnShape};
+use crate::particles::{Column, ColumnShape, Columns, ParticleId, Registry};
 
 pub const NEWEST: &str = "checkpoint.h5";
 pub const PREVIOUS: &str = "checkpoint_previous.h5";

@@ -34,7 +34,7 @@ pub struct History {
 }
 
 impl History {
-    /// `columns` are (name, unit), and the one named `step` counts steps. A new run (`resumed` is none) starts the file
+    /// `columns` are (name, unit), and the one named `step` counts steps. A new run (`resumed` is `None`) starts the file
     /// afresh; a resumed one keeps its rows up to that step. Collective.
     pub fn open(path: &Path, columns: &[(&str, &str)], resumed: Option<u64>, comm: &Comm) -> Result<Self> {
         let open = || Self::open_alone(path, columns, resumed);

@@ -15,7 +15,7 @@ use crate::error::{Error, Result};
 use crate::material::BodyConstants;
 use crate::math::{Deviator, Vec3};
 use crate::particles::columns::Entry;
-use crate::particles::{Column, Columns, ParticleId, ColumnShape};
+use crate::particles::{Column, ColumnShape, Columns, ParticleId};
 
 /// How numbers are stored; ids and body numbers are always exact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

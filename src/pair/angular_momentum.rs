@@ -44,7 +44,7 @@ unsafe fn each_avx512<const D: usize>(s: &Syms, m: &Syms) -> [Vec3; LANES] {
     each::<D>(s, m)
 }
 
-/// A loop that the compiler turns into vectors, without a bit of difference.
+/// A loop that the compiler vectorises, with the same bits.
 #[inline(always)]
 fn each<const D: usize>(s: &Syms, m: &Syms) -> [Vec3; LANES] {
     let at = |t: &Syms, k: usize| Sym { xx: t[0][k], yy: t[1][k], zz: t[2][k], xy: t[3][k], xz: t[4][k], yz: t[5][k] };

@@ -4,7 +4,7 @@
 use super::record::{Layout, StressTerm, Terms, ViscousTerm};
 use super::stress::{PairStress, add_pressure_force};
 use super::viscosity::{Inputs, viscous};
-use super::{Pair, artificial_stress, contrast, angular_momentum};
+use super::{Pair, angular_momentum, artificial_stress, contrast};
 use crate::kernel::{SUPPORT, Shape};
 use crate::math::lanes::Lanes;
 

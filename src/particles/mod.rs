@@ -13,7 +13,7 @@ pub mod rates;
 
 pub use cells::{Lattice, Place, Site};
 pub use chunk::{Chunk, View};
-pub use columns::{Column, ColumnInfo, Columns, Element, Integrated, Life, Registry, ColumnShape, Values};
+pub use columns::{Column, ColumnInfo, ColumnShape, Columns, Element, Integrated, Life, Registry, Values};
 pub use id::ParticleId;
 pub use local::Local;
 pub use periods::Periods;

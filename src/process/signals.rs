@@ -22,7 +22,7 @@ fn milliseconds() -> i64 {
     1 + 1000 * now.tv_sec + now.tv_nsec / 1_000_000
 }
 
-extern "C" fn ask(signal: libc::c_int) {
+extern "C" fn request(signal: libc::c_int) {
     let now = milliseconds();
     let first = FIRST.compare_exchange(0, now, Ordering::Relaxed, Ordering::Relaxed);
     if signal == libc::SIGINT && first.is_err_and(|first| now - first > DELIBERATE) {
@@ -37,7 +37,7 @@ pub fn listen() {
     for signal in [libc::SIGTERM, libc::SIGUSR1, libc::SIGINT, libc::SIGHUP] {
         // SAFETY: the handler only touches atomics, reads the time and ends the process.
         unsafe {
-            if libc::signal(signal, ask as *const () as libc::sighandler_t) == libc::SIG_IGN {
+            if libc::signal(signal, request as *const () as libc::sighandler_t) == libc::SIG_IGN {
                 libc::signal(signal, libc::SIG_IGN);
             }
         }

@@ -31,14 +31,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_collapse_is_told_once_and_again_when_it_gets_much_worse() {
+    fn a_collapse_is_noted_once_and_again_when_it_gets_much_worse() {
         let mut collapse = Collapse::default();
-        let told = |collapse: &mut Collapse, dt: f64| collapse.note(dt).is_some();
+        let noted = |collapse: &mut Collapse, dt: f64| collapse.note(dt).is_some();
         // A shock shortens steps, which is not a collapse.
-        assert!([1.0, 2.0, 0.1, 0.01, 0.0021].iter().all(|&dt| !told(&mut collapse, dt)));
+        assert!([1.0, 2.0, 0.1, 0.01, 0.0021].iter().all(|&dt| !noted(&mut collapse, dt)));
         assert_eq!(collapse.note(1e-3), Some(5e-4));
-        assert!([1e-3, 9e-4, 1.0, 5e-4, 2e-4].iter().all(|&dt| !told(&mut collapse, dt)));
-        assert!(told(&mut collapse, 9e-5));
-        assert!(!told(&mut collapse, 8e-5));
+        assert!([1e-3, 9e-4, 1.0, 5e-4, 2e-4].iter().all(|&dt| !noted(&mut collapse, dt)));
+        assert!(noted(&mut collapse, 9e-5));
+        assert!(!noted(&mut collapse, 8e-5));
     }
 }

@@ -25,8 +25,8 @@ impl<const D: usize> Run<'_, D> {
             let mut evaluation = self.evaluate_outcome();
             let whole = self.scene.bodies.iter().enumerate().filter(|(n, body)| body.whole(*n) == *n);
             let masses: Vec<f64> = whole.map(|(_, body)| body.whole_mass()).collect();
-            let asked = (&evaluation, &self.question());
-            evaluation.outcome.bodies = origin::by_body(self.comm, &self.particles(), asked, &masses);
+            let question = (&evaluation, &self.question());
+            evaluation.outcome.bodies = origin::by_body(self.comm, &self.particles(), question, &masses);
             let tables = distributions(self.comm, &evaluation, D);
             let named = [
                 ("fragments.csv", tables.fragments),
@@ -113,9 +113,9 @@ impl<const D: usize> Run<'_, D> {
         let snapshot = snapshot && saved.is_ok() && !there;
         let summary = self.summary(errors.clone().unwrap_or_default(), nbody);
         let path = self.options.directory.join("summary.json");
-        let told = saved.and(errors.and_then(|_| summary.write(&path, self.comm)));
+        let reported = saved.and(errors.and_then(|_| summary.write(&path, self.comm)));
         let failed = agree(self.comm, self.failed.take().map_or(Ok(()), Err));
-        let safe = told.is_ok();
+        let safe = reported.is_ok();
         let shown = if snapshot { self.write_snapshot() } else { Ok(()) };
         let written = self.write_products();
         if self.scene.output.picture && self.comparison.is_some() {
@@ -124,9 +124,9 @@ impl<const D: usize> Run<'_, D> {
                 or_warn(drawn);
             }
         }
-        let said = (self.state.crater.as_ref(), warnings::of_scene(self.scene).len());
-        summary::print(&summary, said, &self.options.directory, self.comm.is_root());
-        told.and(failed).and(shown).and(written).map_err(|error| match safe {
+        let printed = (self.state.crater.as_ref(), warnings::of_scene(self.scene).len());
+        summary::print(&summary, printed, &self.options.directory, self.comm.is_root());
+        reported.and(failed).and(shown).and(written).map_err(|error| match safe {
             true => Error { what: error.what + "; the last checkpoint and summary.json are written", ..error },
             false => error,
         })?;

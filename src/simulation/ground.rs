@@ -41,7 +41,7 @@ fn question(scene: &Scene) -> Option<Question> {
         up: face.up,
         target: scene.at_impact()?,
         projectile: impact.projectile,
-        ejection_speed: scene.outcome.map(|asked| asked.ejection_speed),
+        ejection_speed: scene.outcome.map(|outcome| outcome.ejection_speed),
         extent,
     })
 }

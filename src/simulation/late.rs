@@ -53,7 +53,8 @@ impl<const D: usize> Run<'_, D> {
     /// Evaluates the largest remnant where that is due; takes the outcome once it has stopped changing. Collective.
     pub(super) fn watch_remnant(&mut self) -> Result<()> {
         let time = self.stepper.state.time;
-        if self.state.has_outcome() || self.state.reaccumulated.as_ref().is_some_and(|remnants| !remnants.is_due(time)) {
+        if self.state.has_outcome() || self.state.reaccumulated.as_ref().is_some_and(|remnants| !remnants.is_due(time))
+        {
             return Ok(());
         }
         let evaluation = self.evaluate_outcome();

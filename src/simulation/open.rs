@@ -30,7 +30,7 @@ impl<'a, const D: usize> Run<'a, D> {
         if let Some(choice) = &options.accuracy {
             tracing::info!("{choice}");
         }
-        warning::say(&warnings::of_scene(scene), comm.is_root());
+        warning::log(&warnings::of_scene(scene), comm.is_root());
         let comparison = Comparison::new(scene)?;
         let fit =
             |plan: &setup::Plan| Footprint::new(scene, plan, comm.size()).require(comm).map_err(|e| e.at(scene.path()));

@@ -106,7 +106,7 @@ pub fn draw_cut<const D: usize>(source: &PictureSource<D>, comm: &Comm) -> Resul
     let picture = Picture {
         title: format!("{} (t = {:.4} s)", scene.title, source.time),
         plane,
-        ejected: scene.outcome.map(|asked| (up, asked.ejection_speed)),
+        ejected: scene.outcome.map(|outcome| (up, outcome.ejection_speed)),
         distention: scene.bodies.iter().fold(1.0, |most: f64, body| most.max(body.distention)),
     };
     let particles = (&source.stepper.columns, &source.stepper.settings.view.constants[..]);

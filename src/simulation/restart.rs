@@ -64,7 +64,7 @@ impl<const D: usize> Run<'_, D> {
         let scene = self.scene;
         // Written after the checkpoint, which does not count it.
         let last = snapshot::name(self.state.snapshots + 1);
-        let wanted: [(&str, bool); 4] = [
+        let files: [(&str, bool); 4] = [
             ("outcome.png", scene.output.picture),
             ("fragments.csv", scene.impact.is_some() && !scene.hits_ground()),
             ("nbody.csv", scene.nbody.is_some()),
@@ -73,8 +73,8 @@ impl<const D: usize> Run<'_, D> {
                 scene.output.snapshots != Snapshots::Never && self.state.snapshot_time != Some(self.stepper.state.time),
             ),
         ];
-        let wanted: Vec<&str> = wanted.into_iter().filter(|(_, wanted)| *wanted).map(|(name, _)| name).collect();
-        !self.lacks(&wanted)
+        let required: Vec<&str> = files.into_iter().filter(|(_, required)| *required).map(|(name, _)| name).collect();
+        !self.lacks(&required)
     }
 
     /// Whether the directory lacks one of these files. Collective.

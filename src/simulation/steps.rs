@@ -144,11 +144,11 @@ impl<'a, const D: usize> Run<'a, D> {
             run.last = Some(before);
             Ok(if found < before { run.run_to_end()?.summary.steps } else { found })
         };
-        let told = match stop() {
+        let continuation = match stop() {
             Ok(steps) => format!("; --resume continues from the checkpoint after step {steps}"),
             Err(second) => format!("; the state before that step could not be saved: {second}"),
         };
-        Error { what: error.what + &told, ..error }
+        Error { what: error.what + &continuation, ..error }
     }
 
     /// Names the particle that makes the time step collapse.

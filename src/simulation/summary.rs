@@ -167,8 +167,8 @@ fn remnant_figures(outcome: &Outcome, later: Option<&Outcome>) -> Vec<(String, f
     figures
 }
 
-/// The end of a run on the terminal, rank 0; the first `said` warnings were printed before.
-pub fn print(summary: &Summary, (crater, said): (Option<&Crater>, usize), directory: &Path, is_root: bool) {
+/// The end of a run on the terminal, rank 0; the first `printed` warnings were printed before.
+pub fn print(summary: &Summary, (crater, printed): (Option<&Crater>, usize), directory: &Path, is_root: bool) {
     let phase = |phase: Phase| 100.0 * summary.phases.0[phase as usize].1;
     let turning = match summary.angular_momentum_drift {
         drift if drift.is_finite() => format!(", angular momentum {drift:.1e}"),
@@ -217,6 +217,6 @@ pub fn print(summary: &Summary, (crater, said): (Option<&Crater>, usize), direct
             of("fragments")
         );
     }
-    warning::say(&summary.warnings[said..], is_root);
+    warning::log(&summary.warnings[printed..], is_root);
     tracing::info!("written to {}{}", directory.display(), warning::in_short(&summary.warnings));
 }

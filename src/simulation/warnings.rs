@@ -59,7 +59,7 @@ fn energy(summary: &Summary) -> Option<Warning> {
         "energy",
         format!(
             "total energy has drifted by {all:.1e} of the initial kinetic energy{left}: what moved slowly at the end may owe it to that \
-             (change: spacings of the bodies more alike, more particles, numerics.cfl; history.csv says when it grew)"
+             (change: spacings of the bodies more alike, more particles, numerics.cfl; history.csv shows when it grew)"
         ),
     ))
 }
@@ -99,7 +99,7 @@ fn density(scene: &Scene, packing: &[Packing]) -> Option<Warning> {
     let known = packing.iter().enumerate().filter(|(_, p)| p.judged() >= LEAST_INSIDE && share(p) > OFF);
     let (body, worst) = known.max_by(|a, b| share(a.1).total_cmp(&share(b.1)))?;
     let text = format!(
-        "in `{}` density is not mass over volume: of {} particles inside matter {} lie denser than their density says by a factor of \
+        "in `{}` density is not mass over volume: of {} particles inside matter {} lie more densely than their density by a factor of \
          {FACTOR}, {} less dense; {} beside it are pressed together by nothing (change: numerics.corrected_gradient, \
          numerics.density_contrast, spacings more alike)",
         scene.bodies[body].name, worst.inside, worst.crowded, worst.sparse, worst.alone
@@ -155,10 +155,10 @@ mod tests {
         };
         assert_eq!(kind(energy(&drift(9e-4, 9e-3, 0.0))), "");
         assert_eq!(kind(energy(&drift(1.1e-3, f64::NAN, 0.0))), "energy");
-        let told = energy(&drift(5e-4, 0.2, 0.0)).expect("a warning").text;
+        let text = energy(&drift(5e-4, 0.2, 0.0)).expect("a warning").text;
         assert!(
-            told.contains("5.0e-4 of the initial") && told.contains("2.0e-1 of the kinetic energy that is left"),
-            "{told}"
+            text.contains("5.0e-4 of the initial") && text.contains("2.0e-1 of the kinetic energy that is left"),
+            "{text}"
         );
         let turning = |drift_of_l, turn| kind(angular_momentum(&drift(0.0, 0.0, drift_of_l), turn));
         assert_eq!(turning(9e-3, 1.0) + &turning(f64::NAN, 1.0) + &turning(0.9, 9e-5), "");
@@ -172,8 +172,8 @@ mod tests {
         let scene = Scene::parse("qd.toml", include_str!("../../inputs/qd_star.toml"), &[]).expect("a scene");
         let of = |inside, crowded, sparse, alone| Packing { inside, crowded, sparse, alone };
         assert_eq!(density(&scene, &[of(1000, 50, 50, 0), of(9, 9, 0, 10)]), None);
-        let told = density(&scene, &[of(1000, 60, 60, 0), of(100, 0, 30, 40)]).expect("a warning").text;
-        assert!(told.starts_with("in `projectile`") && told.contains("100 particles inside matter 0 lie"), "{told}");
-        assert!(told.contains("30 less dense; 40 beside it"), "{told}");
+        let text = density(&scene, &[of(1000, 60, 60, 0), of(100, 0, 30, 40)]).expect("a warning").text;
+        assert!(text.starts_with("in `projectile`") && text.contains("100 particles inside matter 0 lie"), "{text}");
+        assert!(text.contains("30 less dense; 40 beside it"), "{text}");
     }
 }

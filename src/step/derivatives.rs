@@ -10,7 +10,7 @@ use crate::material::{Local, LocalFlow};
 use crate::math::{Mat3, Sym};
 use crate::motion::{DampingLimit, Moving};
 use crate::pair::record::half;
-use crate::pair::{Layout, RowSums, Rows, correction, angular_momentum};
+use crate::pair::{Layout, RowSums, Rows, angular_momentum, correction};
 use crate::particles::{Chunk, Registry};
 
 /// Rows of a chunk that are summed between two requests for columns.

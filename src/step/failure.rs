@@ -8,7 +8,7 @@ use crate::material::Local;
 use crate::output::agree;
 use crate::particles::columns::Entry;
 use crate::particles::rates::{finite, words_of};
-use crate::particles::{Chunk, Life, ParticleId, Registry, ColumnShape, View};
+use crate::particles::{Chunk, ColumnShape, Life, ParticleId, Registry, View};
 
 /// Why a step could not be made, on all ranks alike.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,8 +31,8 @@ impl Failure {
     /// The failure of the particle with the smallest id that any rank has found. Collective; some rank must have found one.
     pub fn of_ranks(mine: Option<&NonFinite>, step: u64, comm: &Comm) -> Self {
         let first = comm.all_gather(&[mine.map_or(u64::MAX, |found| found.id.0)]).into_iter().fold(u64::MAX, u64::min);
-        let told = mine.filter(|found| found.id.0 == first).map_or(Ok(()), |found| Err(Error::new(&found.what)));
-        let what = agree(comm, told).map_or_else(|error| error.what, |()| "a number is not finite".to_string());
+        let reported = mine.filter(|found| found.id.0 == first).map_or(Ok(()), |found| Err(Error::new(&found.what)));
+        let what = agree(comm, reported).map_or_else(|error| error.what, |()| "a number is not finite".to_string());
         Self { step, particle: Some(ParticleId(first)), what }
     }
 

@@ -4,7 +4,7 @@
 //! ```text
 //! S_i = sum_j V_j W_ij     V = m / rho     is 1 where density is mass over volume,
 //! ```
-//! of whatever materials and spacings: 2 where particles lie twice as densely as their densities say. A particle is inside where it has at
+//! of whatever materials and spacings: 2 where particles are twice as dense as their densities. A particle is inside where it has at
 //! least half of the surrounding matter that it has in its lattice, evenly distributed:
 //!
 //! ```text
@@ -31,9 +31,9 @@ const MOST_SHIFT: f64 = 0.1;
 pub struct Packing {
     /// Particles inside matter.
     pub inside: u64,
-    /// Those of them that lie more densely than their density says, by [`FACTOR`].
+    /// Those of them that are packed more densely than their density, by [`FACTOR`].
     pub crowded: u64,
-    /// Those that lie less densely.
+    /// Those that are packed less densely.
     pub sparse: u64,
     /// Particles with less than half of the matter around them, [`COMPRESSED`] times as dense as initially.
     pub alone: u64,

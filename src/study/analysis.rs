@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::limit::{Limit, limit};
 use super::measure::{Against, Measure, Sample};
 use super::order::{Order, order};
-use super::pareto::{Price, Step, beyond, first_within, front, price};
+use super::pareto::{ErrorCost, Step, beyond, first_within, front, price};
 use super::points::Study;
 use super::record::Record;
 use super::settings::Change;
@@ -92,11 +92,11 @@ pub struct Target {
 pub struct Cheapest {
     /// Setting and price, where a setting reaches the error within the study.
     pub setting: Option<usize>,
-    pub price: Option<Price>,
+    pub price: Option<ErrorCost>,
     /// The cheapest run that has it.
     pub point: Option<usize>,
     /// Setting and price by extrapolation, where none reaches it and one is in its asymptotic range.
-    pub guess: Option<(usize, Price)>,
+    pub guess: Option<(usize, ErrorCost)>,
 }
 
 /// The measures of cost.
@@ -257,7 +257,7 @@ impl Analysis {
         each.min_by(|a, b| a.1.cost.total_cmp(&b.1.cost)).map(|(point, _)| point)
     }
 
-    fn guess(&self, error: f64, cost: Cost) -> Option<(usize, Price)> {
+    fn guess(&self, error: f64, cost: Cost) -> Option<(usize, ErrorCost)> {
         let one = |(k, setting): (usize, &Setting)| {
             let order = setting.order.as_ref().filter(|order| order.doubt.is_empty())?;
             Some((k, beyond(&self.curve(k, cost).1, error, order.order)?))

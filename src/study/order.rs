@@ -76,7 +76,7 @@ mod tests {
         assert!(found.standard_error.unwrap() < 1e-12 && found.doubt.is_empty());
     }
 
-    /// Scatter of +-10 % in turn: the standard error holds the truth.
+    /// Alternating scatter of +-10 %: the true order is within the standard error.
     #[test]
     fn scatter_widens_the_standard_error() {
         let found = of(|h| h * (1.0 + 0.1 * (h.log2() * std::f64::consts::PI).cos()));

@@ -42,7 +42,7 @@ pub enum Known {
 
 /// The cost of an error with one setting.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Price {
+pub struct ErrorCost {
     pub cost: f64,
     /// m
     pub spacing: f64,
@@ -57,15 +57,15 @@ pub fn first_within(curve: &[Step], target: f64) -> Option<usize> {
 }
 
 /// The least cost at which `curve` (coarse to fine) stays within `target`; none where its finest run does not.
-pub fn price(curve: &[Step], target: f64) -> Option<Price> {
+pub fn price(curve: &[Step], target: f64) -> Option<ErrorCost> {
     let k = first_within(curve, target)?;
     let fine = curve[k];
     let Some(coarse) = k.checked_sub(1).map(|before| curve[before]).filter(|_| fine.error > 0.0) else {
-        return Some(Price { cost: fine.cost, spacing: fine.spacing, known: Known::Measured });
+        return Some(ErrorCost { cost: fine.cost, spacing: fine.spacing, known: Known::Measured });
     };
     let part = libm::log(coarse.error / target) / libm::log(coarse.error / fine.error);
     let between = |a: f64, b: f64| a * libm::pow(b / a, part);
-    Some(Price {
+    Some(ErrorCost {
         cost: between(coarse.cost, fine.cost),
         spacing: between(coarse.spacing, fine.spacing),
         known: Known::Interpolated,
@@ -73,7 +73,7 @@ pub fn price(curve: &[Step], target: f64) -> Option<Price> {
 }
 
 /// The cost by extrapolation beyond the finest run, by straight lines through all: error over spacing of this `order`, cost over spacing.
-pub fn beyond(curve: &[Step], target: f64, order: f64) -> Option<Price> {
+pub fn beyond(curve: &[Step], target: f64, order: f64) -> Option<ErrorCost> {
     let finest = curve.last()?;
     let logs: Vec<(f64, f64)> = curve.iter().map(|s| (libm::log(s.spacing), libm::log(s.cost))).collect();
     let (slope, _, _) = line(&logs)?;
@@ -82,7 +82,7 @@ pub fn beyond(curve: &[Step], target: f64, order: f64) -> Option<Price> {
     }
     let ratio = libm::pow(target / finest.error, 1.0 / order);
     let cost = finest.cost * libm::pow(ratio, slope);
-    Some(Price { cost, spacing: finest.spacing * ratio, known: Known::Extrapolated })
+    Some(ErrorCost { cost, spacing: finest.spacing * ratio, known: Known::Extrapolated })
 }
 
 #[cfg(test)]

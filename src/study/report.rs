@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::analysis::{Analysis, Cheapest, Cost, Found, Setting};
-use super::pareto::{Known, Price};
+use super::pareto::{ErrorCost, Known};
 use super::thresholds;
 use crate::error::{Error, Result};
 use crate::output::figures::or_warn;
@@ -50,7 +50,7 @@ pub fn print(analysis: &Analysis, directory: &Path, is_root: bool) {
         tracing::info!("{failed} of {} points have no result; study.md says why", analysis.points.len());
     }
     let warnings = analysis.warnings();
-    warning::say(&warnings, is_root);
+    warning::log(&warnings, is_root);
     tracing::info!("written to {}{}", directory.display(), warning::in_short(&warnings));
 }
 
@@ -199,12 +199,12 @@ fn prices(analysis: &Analysis) -> Vec<String> {
 
 fn cheapest_words(analysis: &Analysis, cost: Cost, cheapest: &Cheapest) -> String {
     let name = |setting: usize| &analysis.settings[setting].name;
-    let how = |price: &Price| match price.known {
+    let how = |price: &ErrorCost| match price.known {
         Known::Measured => "by its coarsest run; a coarser one might do",
         Known::Interpolated => "interpolated between its runs",
         Known::Extrapolated => "an extrapolation beyond its finest run",
     };
-    let words = |setting: usize, price: &Price| {
+    let words = |setting: usize, price: &ErrorCost| {
         format!(
             "{} at spacing {:.3e} m, {:.3e} {}, {}",
             name(setting),

@@ -29,7 +29,7 @@ pub struct Impact {
     pub q_r: f64,
     pub outcome: Outcome,
     pub later: Outcome,
-    pub price: Price,
+    pub price: ImpactCost,
     pub state_hash: String,
     /// Warnings of its run.
     #[serde(default)]
@@ -38,7 +38,7 @@ pub struct Impact {
 
 /// Cost and conservation errors of an impact.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
-pub struct Price {
+pub struct ImpactCost {
     pub particles: u64,
     pub steps: u64,
     pub wall_seconds: f64,
@@ -87,7 +87,7 @@ impl Impact {
         fit::is_fitted(self.outcome.largest_remnant_fraction)
     }
 
-    /// How far its energy may be wrong, relative: the drift over the remaining kinetic energy, which determines how much leaves the target;
+    /// Relative uncertainty of its energy: the drift over the remaining kinetic energy, which determines how much leaves the target;
     /// zero without a warning of it.
     pub fn drift(&self) -> f64 {
         let warned = self.warnings.iter().any(|warning| warning.kind == "energy");
@@ -196,9 +196,9 @@ mod tests {
 
     #[test]
     fn drift_counts_where_it_is_warned_of() {
-        let price = Price { energy_drift: 2e-3, energy_drift_over_left: 0.3, ..Price::default() };
+        let price = ImpactCost { energy_drift: 2e-3, energy_drift_over_left: 0.3, ..ImpactCost::default() };
         let text = serde_json::to_string(&price).expect("JSON");
-        let of = |price: Price, warnings: Vec<Warning>| Impact {
+        let of = |price: ImpactCost, warnings: Vec<Warning>| Impact {
             repeat: 0,
             length: 1.0,
             q: 1.0,
@@ -212,10 +212,10 @@ mod tests {
         let energy = || vec![Warning::new("energy", "drifts".into()), Warning::new("few_particles", "few".into())];
         assert_eq!(of(price, Vec::new()).drift(), 0.0);
         assert_eq!(of(price, energy()).drift(), 0.3);
-        let spent = Price { energy_drift_over_left: f64::NAN, ..price };
+        let spent = ImpactCost { energy_drift_over_left: f64::NAN, ..price };
         assert_eq!(of(spent, energy()).drift(), 2e-3);
         let nothing_left = serde_json::to_string(&spent).expect("JSON");
-        let read = |text: &str| serde_json::from_str::<Price>(text).expect("a price").energy_drift_over_left;
+        let read = |text: &str| serde_json::from_str::<ImpactCost>(text).expect("a price").energy_drift_over_left;
         assert!(read(&nothing_left).is_nan() && read(&text) == 0.3);
         assert!(read(&text.replace("\"energy_drift_over_left\":0.3,", "")).is_nan());
         // A remnant of a twentieth decides nothing, however few particles it has.

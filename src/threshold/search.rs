@@ -8,7 +8,7 @@ use std::path::Path;
 
 use super::bracket::{Next, Point, Rules, next};
 use super::fit::{Threshold, threshold};
-use super::record::{self, Impact, Price};
+use super::record::{self, Impact, ImpactCost};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::outcome::scaling::{self, ThresholdFit};
@@ -133,14 +133,14 @@ impl<'a> Search<'a> {
     }
 
     fn rules(&self) -> Rules {
-        let asked = self.scene.threshold.as_ref().expect("checked in `new`");
+        let settings = self.scene.threshold.as_ref().expect("checked in `new`");
         // A projectile must be smaller than its target; one of a hundredth only makes a crater.
         let size = self.target.shape.outer_radius();
-        let range = [asked.min.unwrap_or(0.01 * size), asked.max.unwrap_or(size)].map(|length| self.q(length));
+        let range = [settings.min.unwrap_or(0.01 * size), settings.max.unwrap_or(size)].map(|length| self.q(length));
         Rules {
             start: self.reference.q_star(size),
-            tolerance: asked.tolerance,
-            max_impacts: asked.max_impacts as usize,
+            tolerance: settings.tolerance,
+            max_impacts: settings.max_impacts as usize,
             range,
         }
     }
@@ -211,8 +211,8 @@ impl<'a> Search<'a> {
     }
 }
 
-fn price(summary: &Summary) -> Price {
-    Price {
+fn price(summary: &Summary) -> ImpactCost {
+    ImpactCost {
         particles: summary.particles,
         steps: summary.steps,
         wall_seconds: summary.wall_seconds,
@@ -314,8 +314,8 @@ impl<'a> Found<'a> {
 
     /// The cost of all impacts together; drifts are the largest of any.
     fn summary(&self, comm: &Comm) -> Summary {
-        let sum = |get: fn(&Price) -> f64| self.impacts.iter().map(|impact| get(&impact.price)).sum::<f64>();
-        let largest = |get: fn(&Price) -> f64| self.impacts.iter().map(|i| get(&i.price)).fold(0.0, f64::max);
+        let sum = |get: fn(&ImpactCost) -> f64| self.impacts.iter().map(|impact| get(&impact.price)).sum::<f64>();
+        let largest = |get: fn(&ImpactCost) -> f64| self.impacts.iter().map(|i| get(&i.price)).fold(0.0, f64::max);
         let hashes: String = self.impacts.iter().map(|impact| impact.state_hash.as_str()).collect();
         let core_seconds = sum(|p| p.core_seconds);
         Summary {
@@ -343,8 +343,8 @@ impl<'a> Found<'a> {
 
     /// Warnings of all impacts, each kind once.
     fn warnings(&self) -> Vec<Warning> {
-        let told: Vec<Vec<Warning>> = self.impacts.iter().map(Impact::relevant_warnings).collect();
-        warning::merged("impact", (1..).zip(told.iter().map(Vec::as_slice)))
+        let relevant: Vec<Vec<Warning>> = self.impacts.iter().map(Impact::relevant_warnings).collect();
+        warning::merged("impact", (1..).zip(relevant.iter().map(Vec::as_slice)))
     }
 
     fn table(&self) -> String {
@@ -444,7 +444,7 @@ impl<'a> Found<'a> {
         if self.drift > 0.0 {
             tracing::info!("the uncertainty contains {:.1e} J/kg for the drift of energy", self.drift * t.q_star_d);
         }
-        warning::say(&summary.warnings, is_root);
+        warning::log(&summary.warnings, is_root);
         tracing::info!("written to {}{}", directory.display(), warning::in_short(&summary.warnings));
     }
 }

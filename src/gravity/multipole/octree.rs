@@ -25,7 +25,7 @@ pub struct Body {
     pub mass: f64,
     /// Smoothing length h; softening ends at 2h.
     pub softening: f64,
-    /// How large its acceleration is about, against which errors are measured.
+    /// Its approximate acceleration, against which errors are measured.
     pub acceleration: f64,
 }
 

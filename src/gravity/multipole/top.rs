@@ -6,7 +6,7 @@ use crate::domain::comm::Comm;
 /// Branches aimed at per rank: enough for their surfaces to follow those of the ranks' domains.
 const BRANCHES_PER_RANK: u64 = 32;
 
-/// What lies in a cell, out of keyed things in order.
+/// The entries of a cell, from a list sorted by key.
 pub fn within<T>(cell: Cell, keyed: &[(u64, T)]) -> &[(u64, T)] {
     let begin = keyed.partition_point(|(key, _)| *key < cell.first_key());
     let end = keyed.partition_point(|(key, _)| *key < cell.end_key());

@@ -13,7 +13,7 @@
 //! In porous bodies the strain is that of the matrix: of alpha sigma, as both moduli of the body are those of the matrix over
 //! alpha. Compaction adds its own growth of D^(1/3) (Jutzi et al. 2008, eq. 59; see `porosity`), up to D = 1.
 //!
-//! How many flaws a particle has, and at which strains they open, see `flaws`.
+//! For the number of a particle's flaws, and the strains at which they open, see `flaws`.
 //!
 //! Damage weakens the acting stress (see `damage`) and is never written back into it; it acts on shear of matter with friction
 //! through the yield strength alone (see `strength`).
@@ -92,7 +92,7 @@ impl Brittle {
         let law = material.eos.law();
         let (bulk, density, shear) = (law.bulk_modulus()?, law.reference_density()?, strength.shear_modulus.0);
         let constants = &setup.constants[body];
-        // In 2D a particle stands for a cube: its flaws must not depend on the metre of depth that its mass refers to.
+        // In 2D a particle represents a cube: its flaws must not depend on the metre of depth that its mass refers to.
         let volume = libm::pow(constants.particle_mass / constants.density, 3.0 / setup.dimension as f64);
         let sound = ((bulk + 4.0 / 3.0 * shear) / density).sqrt();
         Some(Self {
@@ -331,7 +331,7 @@ mod tests {
         assert!(rises > 10 && last > 0.0, "{rises} {last}");
     }
 
-    /// The same spacing gives the same flaws in 2D, where the mass is that of a metre of depth, as in 3D.
+    /// One spacing gives the same flaws in 2D, where the mass is that of a metre of depth, as in 3D.
     #[test]
     fn flaws_do_not_depend_on_the_metre_of_depth() {
         let spacing: f64 = 0.02;

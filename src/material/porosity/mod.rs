@@ -350,10 +350,10 @@ pub fn distention_rate(stress_factor: f64, divergence: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::strength::DEVIATORIC_STRESS;
-    use super::super::testing::{Rig, basalt};
     use super::super::Records;
     use super::super::damage::DAMAGE;
+    use super::super::strength::DEVIATORIC_STRESS;
+    use super::super::testing::{Rig, basalt};
     use super::testing::material;
     use super::*;
     use crate::math::{Deviator, Mat3, Vec3};
@@ -373,7 +373,7 @@ mod tests {
         Mat3::from_diagonal(&Vec3::new(-along_x, -along_y, -along_y))
     }
 
-    /// A rigid turn by 45 degrees at alpha = 3: diag(1, -1, 0) becomes S_xy = 1. Spin terms over alpha, as public codes have
+    /// A rigid rotation by 45 degrees at alpha = 3: diag(1, -1, 0) becomes S_xy = 1. Spin terms over alpha, as public codes have
     /// them, would give 0.50.
     #[test]
     fn stress_turns_with_the_body_whatever_its_pores() {

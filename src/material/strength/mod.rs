@@ -291,8 +291,8 @@ mod tests {
         assert_eq!(returned(&stress, 3.0, yields.strength(5e6)), Some(Deviator::default()));
     }
 
-    /// A rigid rotation by 45 degrees turns diag(1, -1, 0) into S_xy = 1 and keeps J2. The scheme turns by z = 2 dtheta
-    /// per step with a phase error of order z^3, so that the sum stays below z^2 times the angle turned in the stress's
+    /// A rigid rotation by 45 degrees turns diag(1, -1, 0) into S_xy = 1 and keeps J2. The scheme rotates by z = 2 dtheta
+    /// per step with a phase error of order z^3, so that the sum stays below z^2 times the angle of rotation in the stress's
     /// plane.
     #[test]
     fn rotation_turns_stress_and_keeps_j2() {
@@ -333,11 +333,11 @@ mod tests {
         for damage in [0.0, 0.25, 0.7, 1.0] {
             for (strain, steps) in [(-1e-4, 10), (-1e-2, 10), (3e-3, 10)] {
                 let mut rig = Rig::with_records(vec![rock(false)], Default::default(), damage);
-                let squeeze = Mat3::from_diagonal_element(strain / 3.0 / steps as f64);
+                let compression = Mat3::from_diagonal_element(strain / 3.0 / steps as f64);
                 let shear = Mat3::new(0.0, 1e-3, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-                rig.step(&squeeze, 0.0);
+                rig.step(&compression, 0.0);
                 for _ in 0..steps {
-                    rig.step(&squeeze, 1.0);
+                    rig.step(&compression, 1.0);
                 }
                 rig.step(&shear, 0.0);
                 for _ in 0..60 {
@@ -350,7 +350,7 @@ mod tests {
                 let broken = (0.8 * p).clamp(0.0, intact);
                 let expected = (1.0 - damage) * intact + damage * broken;
                 let found = rig.get(stress_column(&rig)).j2().sqrt();
-                // The corrector turns the returned stress by the spin of half a step.
+                // The corrector rotates the returned stress by the spin of half a step.
                 assert!((found - expected).abs() <= 1e-6 * expected, "D {damage}, P {p}: {found} {expected}");
             }
         }
@@ -360,11 +360,11 @@ mod tests {
     #[test]
     fn rubbing_heats_and_melts() {
         let mut rig = Rig::with_records(vec![rock(true)], Default::default(), 1.0);
-        let squeeze = Mat3::from_diagonal_element(-1e-3);
+        let compression = Mat3::from_diagonal_element(-1e-3);
         let shear = Mat3::new(0.0, 1e-2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-        rig.step(&squeeze, 0.0);
+        rig.step(&compression, 0.0);
         for _ in 0..10 {
-            rig.step(&squeeze, 1.0);
+            rig.step(&compression, 1.0);
         }
         rig.step(&shear, 0.0);
         for _ in 0..100 {

@@ -186,7 +186,7 @@ mod tests {
         near(rock.strength_under(1e8, 0.25, 0.0), 0.75 * (9e7 + 2e8 / (1.0 + 2e8 / 3.41e9)) + 0.25 * 8e7);
         // Broken rock is never stronger than intact rock.
         near(rock.strength_under(1e10, 1.0, 0.0), rock.strength_under(1e10, 0.0, 0.0));
-        // Heat: half-way to melting intact rock bears half; friction stays as long as it is below that.
+        // Heat: half-way to melting intact rock has half of its strength; friction does not change while it is below that.
         near(rock.strength_under(0.0, 0.0, 1.7e6), 4.5e7);
         near(rock.strength_under(1e7, 1.0, 1.7e6), 8e6);
         assert_eq!(rock.strength_under(1e9, 1.0, 4e6), 0.0);
@@ -231,13 +231,13 @@ mod tests {
 
     #[test]
     fn laws_are_checked() {
-        let said = |law: &str| table(law).validate_law("strength").map_err(|e| e.to_string());
-        assert_eq!(said(ROCK), Ok(()));
+        let checked = |law: &str| table(law).validate_law("strength").map_err(|e| e.to_string());
+        assert_eq!(checked(ROCK), Ok(()));
         let two = format!("{ROCK}\ndrucker_prager = {{ cohesion = 0, friction = 0.4 }}");
-        assert!(said(&two).unwrap_err().contains("two laws of yield"));
+        assert!(checked(&two).unwrap_err().contains("two laws of yield"));
         let strong = ROCK.replace("9e7", "4e9");
-        assert!(said(&strong).unwrap_err().contains("strength.collins.cohesion"));
-        assert!(said(&ROCK.replace("0.8", "-0.8")).unwrap_err().contains("strength.collins.friction"));
+        assert!(checked(&strong).unwrap_err().contains("strength.collins.cohesion"));
+        assert!(checked(&ROCK.replace("0.8", "-0.8")).unwrap_err().contains("strength.collins.friction"));
     }
 
     /// Heat weakens sand as it weakens rock, and solids without friction.

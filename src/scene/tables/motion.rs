@@ -26,10 +26,17 @@ pub enum MotionTable {
 
 impl MotionTable {
     /// `towards`: the velocity that damping leads back to, m/s.
-    pub fn validate(&self, document: &Document, path: &str, (dimension, towards): (usize, [f64; 3])) -> Result<PrescribedMotion> {
+    pub fn validate(
+        &self,
+        document: &Document,
+        path: &str,
+        (dimension, towards): (usize, [f64; 3]),
+    ) -> Result<PrescribedMotion> {
         match self {
             MotionTable::Fixed => Ok(PrescribedMotion::Prescribed([0.0; 3])),
-            MotionTable::Velocity(components) => components.vector(document, path, dimension).map(PrescribedMotion::Prescribed),
+            MotionTable::Velocity(components) => {
+                components.vector(document, path, dimension).map(PrescribedMotion::Prescribed)
+            }
             MotionTable::Along(axes) => {
                 let mut along = [false; 3];
                 for axis in axes {
