@@ -62,8 +62,8 @@ impl std::fmt::Display for Error {
     }
 }
 
-/// Text as a terminal may get it: names and values of a scene come from anywhere, and characters that would move the cursor, retitle the
-/// window or reverse lines are escaped, `\u{1b}`. Ends of lines stay.
+/// Text as a terminal may get it: names and values of a scene come from anywhere, and characters that would move the cursor,
+/// retitle the window or reverse lines are escaped, `\u{1b}`. Ends of lines stay.
 pub fn plain(text: &str) -> Cow<'_, str> {
     let acts = |c: char| {
         let turns =

@@ -72,7 +72,7 @@ until = 1
 "#;
 
 /// Sound runs to and fro in matter that it has crushed at first: each particle stays where its largest pressure has put it. Were
-/// loading told from dP/dt > 0 alone, pores would give way at every turn, until pressure is gone: alpha ended 0.018 below the
+/// loading told from dP/dt > 0 alone, pores would collapse in every cycle, until pressure is gone: alpha ended 0.018 below the
 /// curve.
 #[test]
 fn loading_again_in_a_flying_body() {
@@ -93,7 +93,7 @@ fn loading_again_in_a_flying_body() {
                 let most = most.get_mut(&id).expect("a known particle");
                 *most = most.max(p);
                 if id == watched {
-                    // Rises again, where pores would give way under a first load.
+                    // Rises again, where pores would collapse under a first load.
                     let n = trace.len();
                     loads += u64::from(trace[n - 1] < trace[n - 2] && p > trace[n - 1] && p > curve.elastic_limit());
                     trace.push(p);

@@ -1,7 +1,7 @@
-//! Limits the time step where matter approaches other matter that is not in contact yet. The Courant condition covers sound, and the
-//! approach of pairs inside their supports; fast, soft matter could move into other matter, or through it, within one step. With the
-//! blocks of 3^D cells of [`watch`](super::watch), W the largest velocity at which matter of a block may approach other matter of
-//! it, C the Courant number:
+//! Limits the time step where matter approaches other matter that is not in contact yet. The Courant condition covers sound, and
+//! the approach of pairs inside their supports; fast, soft matter could move into other matter, or through it, within one step.
+//! With the blocks of 3^D cells of [`watch`](super::watch), W the largest velocity at which matter of a block may approach other
+//! matter of it, C the Courant number:
 //!
 //! ```text
 //! particles of the block's own level:          W dt <= C h              h: the smallest of them

@@ -91,8 +91,8 @@ pub struct Ghosts {
 }
 
 impl Ghosts {
-    /// Finds which particles are ghosts on which ranks. `owned`: in canonical order; `words`: numbers of a pair record. Returns the incoming
-    /// particles too, in message order. Collective.
+    /// Finds which particles are ghosts on which ranks. `owned`: in canonical order; `words`: numbers of a pair record. Returns the
+    /// incoming particles too, in message order. Collective.
     pub fn build<const D: usize>(
         owned: &[Site<D>],
         extents: &[Extent<D>],

@@ -79,7 +79,8 @@ impl<const D: usize> Summary<D> {
     /// Relative displacement over what is allowed; `reach` is R above.
     fn used(&self, reach: f64) -> f64 {
         let apart = relative(&self.forward, &self.backward);
-        // Where no particle of the block's own level is, half of it: particles that approach then always have half of the distance left.
+        // Where no particle of the block's own level is, half of it: particles that approach then always have half of the distance
+        // left.
         let alone = self.lack == f64::NEG_INFINITY;
         let allowed = if alone { 0.5 * (reach - self.finer) } else { (-self.lack).min(reach - self.finer) };
         if allowed > 0.0 { apart / allowed } else { f64::INFINITY }

@@ -1,6 +1,6 @@
-//! A piston that crushes porous matter: an elastic precursor up to where pores begin to collapse and a compaction shock behind it; one
-//! elastic front; or one front that has overtaken its precursor. Jutzi et al. 2008, section 5.1; Herrmann 1969, J. Appl. Phys. 40,
-//! 2490.
+//! A piston that crushes porous matter: an elastic precursor up to where pores begin to collapse and a compaction shock behind it;
+//! one elastic front; or one front that has overtaken its precursor. Jutzi et al. 2008, section 5.1; Herrmann 1969, J. Appl. Phys.
+//! 40, 2490.
 //!
 //! Behind a front the pressure is that of the porous matter on first loading, P(rho, E) = P_s(alpha rho, E) / alpha with alpha of
 //! its law of compaction (`material::porosity`), and each front obeys the jump conditions of `shock`. The precursor ends where the

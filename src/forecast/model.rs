@@ -9,8 +9,8 @@
 //! uneven  : the load that a rank may have over the mean before planes are moved, half of it on the mean
 //! ```
 //!
-//! Left out: messages of gravity, and the parts of other ranks' branches that a rank opens; network links shared by ranks (lower the
-//! bandwidth instead), noise of the system, and the search for ranks nearby, which takes nanoseconds for each rank of the job.
+//! Left out: messages of gravity, and the parts of other ranks' branches that a rank opens; network links shared by ranks (lower
+//! the bandwidth instead), noise of the system, and the search for ranks nearby, which takes nanoseconds for each rank of the job.
 
 /// Times and rates of one core and the network.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,5 +1,5 @@
-//! Measures how fast this machine steps a scene: its own effects and pair terms, timed over a few steps on a block of particles, part
-//! of them in random motion; messages between two ranks, where there are two; and a small file.
+//! Measures how fast this machine steps a scene: its own effects and pair terms, timed over a few steps on a block of particles,
+//! part of them in random motion; messages between two ranks, where there are two; and a small file.
 
 use std::io::Write;
 use std::time::Instant;

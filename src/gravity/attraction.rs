@@ -6,12 +6,13 @@
 //! ```
 //!
 //! Along a periodic axis of length L a particle that falls re-enters from above: its n counts how often it has crossed the period,
-//! so that the work of gravity stays known. Gravity is added to accelerations before motion is prescribed, so that a held particle's
-//! support also bears its weight. Over time uniform gravity gives all matter the momentum M g t; particles' own gravity gives none.
+//! so that the work of gravity stays known. Gravity is added to accelerations before motion is prescribed, so that a held
+//! particle's support also bears its weight. Over time uniform gravity gives all matter the momentum M g t; particles' own gravity
+//! gives none.
 //!
 //! Evaluations of own gravity may be rarer than steps. A particle that kept the acceleration of the last one would be pulled to
-//! where the centre was: a body that rotates by an angle of theta in one interval would gain angular momentum at first order in theta.
-//! Between evaluations n and n + 1 the field is therefore extrapolated, `s` seconds after t_n:
+//! where the centre was: a body that rotates by an angle of theta in one interval would gain angular momentum at first order in
+//! theta. Between evaluations n and n + 1 the field is therefore extrapolated, `s` seconds after t_n:
 //!
 //! ```text
 //! a = a_n + s u,    phi = phi_n + s (phi_n - phi_(n-1)) / T_n,    T_n = t_n - t_(n-1)
@@ -170,8 +171,8 @@ impl OwnGravity {
         timing.age.is_none_or(|age| age + 0.5 * dt >= self.lasts(timing))
     }
 
-    /// Starts an evaluation at all particles as they are, with other work meanwhile; [`OwnGravity::keep`] takes its result. `first`:
-    /// there was none before. Collective.
+    /// Starts an evaluation at all particles as they are, with other work meanwhile; [`OwnGravity::keep`] takes its result.
+    /// `first`: there was none before. Collective.
     pub fn evaluation<'a>(&self, columns: &Columns, matter: &Matter, first: bool, comm: &'a Comm) -> Evaluation<'a> {
         let order = order(self.accuracy);
         let opening = Opening { angle: ANGLE, accuracy: self.accuracy, order };
@@ -222,8 +223,8 @@ impl OwnGravity {
     }
 }
 
-/// The rate at which an acceleration is extrapolated, and its slope: from the last two values, the slope before and the spans, as in
-/// [`Timing`].
+/// The rate at which an acceleration is extrapolated, and its slope: from the last two values, the slope before and the spans, as
+/// in [`Timing`].
 fn rates_after(before: Vec3, now: Vec3, slope_before: Vec3, spans: &[f64; 2]) -> [Vec3; 2] {
     let [span, span_before] = *spans;
     if span == 0.0 {

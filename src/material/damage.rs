@@ -17,8 +17,8 @@ pub fn damage_column(registry: &mut Registry) -> Column<f64> {
 }
 
 /// The stress that acts, where `s` and `pressure` are those of undamaged matter: (1 - D) S - P_D 1, with P_D = (1 - D)
-/// P in tension and P in compression (Jutzi et al. 2008, eq. 36, for tension). With `friction` the yield strength of S accounts for damage already
-/// (Jutzi 2015, see `strength`). The pair sums and their energy use this stress.
+/// P in tension and P in compression (Jutzi et al. 2008, eq. 36, for tension). With `friction` the yield strength of S accounts for
+/// damage already (Jutzi 2015, see `strength`). The pair sums and their energy use this stress.
 #[inline]
 pub fn damaged_stress(s: &Deviator, pressure: f64, damage: f64, friction: bool) -> Sym {
     s.with_mean(if friction { 1.0 } else { 1.0 - damage }, -damaged_pressure(pressure, damage))

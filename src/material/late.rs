@@ -12,9 +12,9 @@
 //! that is stored elastically, J/kg, to second order in the strain, with A in place of rho_s c^2; a prime marks values after the
 //! switch. w_P is 1 - D in tension, else 1; w_S 1 - D without friction, else 1; D damage.
 //!
-//! Limits that are stresses stay as they are: yield strength, cohesion, friction, and the stress at which a flaw opens (its strain times
-//! Young's modulus of the stiff matter). Tension still fades below 0.95 rho_0, so that the tension of soft matter is 0.056 A' at most.
-//! Vapour has no pressure left once its density is below rho_0; viscosity uses the new speed of sound.
+//! Limits that are stresses stay as they are: yield strength, cohesion, friction, and the stress at which a flaw opens (its strain
+//! times Young's modulus of the stiff matter). Tension still fades below 0.95 rho_0, so that the tension of soft matter is 0.056 A'
+//! at most. Vapour has no pressure left once its density is below rho_0; viscosity uses the new speed of sound.
 
 use super::MaterialTable;
 use super::eos::Eos;

@@ -69,7 +69,8 @@ impl<const D: usize> Candidates<D> {
         self.slots.extend(slots.start as u32..slots.end as u32);
     }
 
-    /// Fills the last group with candidates that are near nothing. `origin`: a point near the particles whose neighbours are sought.
+    /// Fills the last group with candidates that are near nothing. `origin`: a point near the particles whose neighbours are
+    /// sought.
     pub fn close(&mut self, width: Width, origin: [f64; D]) {
         let count = self.slots.len();
         let len = count.next_multiple_of(GROUP);

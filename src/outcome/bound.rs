@@ -3,11 +3,11 @@
 //! members have mass M, velocity V and potential phi(x) if their relative motion is bound (two-body energy over the
 //! reduced mass):  |v - V|^2 / 2 + (1 + m / M) phi(x) < 0.
 //!
-//! The aggregate starts from the largest fragment; and, as rubble may have no large one, once more from all pieces that are bound, in
-//! the potential of all, to the motion around its deepest place. Where almost none is, as matter at that place is ejected where pores
-//! collapse, it starts from the pieces bound to the motion of one piece: the one of a sample to which most mass is. (This alone would
-//! not suffice: to matter between two piles that separate both are bound, each by itself, and would count as one.) The most massive
-//! result counts: by its whole mass, or by its matter of one body (`rank`).
+//! The aggregate starts from the largest fragment; and, as rubble may have no large one, once more from all pieces that are bound,
+//! in the potential of all, to the motion around its deepest place. Where almost none is, as matter at that place is ejected where
+//! pores collapse, it starts from the pieces bound to the motion of one piece: the one of a sample to which most mass is. (This
+//! alone would not suffice: to matter between two piles that separate both are bound, each by itself, and would count as one.) The
+//! most massive result counts: by its whole mass, or by its matter of one body (`rank`).
 
 use super::Piece;
 use crate::domain::comm::Comm;

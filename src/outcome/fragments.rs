@@ -1,5 +1,6 @@
 //! Intact fragments: particles nearer than 1.5 times the larger of their spacings are linked where both are damaged less
-//! than a threshold; a fragment is a set of particles that are linked, directly or through others. Its label is the smallest id in it.
+//! than a threshold; a fragment is a set of particles that are linked, directly or through others. Its label is the smallest id in
+//! it.
 //!
 //! Clumps are wider: broken matter is linked, too, where its relative motion is so slow that a uniform ball which
 //! expands at that rate would be held by its own gravity, |dv| / |dx| <= sqrt(8 pi G rho / 3) with rho the density at the start. So a

@@ -1,6 +1,7 @@
 //! Bodies for an N-body program: a sphere for each clump (see `fragments`) and each loose particle, in the frame
 //! of the centre of mass, largest first. A sphere has the mass, centre and velocity of its clump and the volume of its matter before
-//! the impact; its rotation is not carried over. Clumps below the requested size or beyond the requested number are left out and added up.
+//! the impact; its rotation is not carried over. Clumps below the requested size or beyond the requested number are left out and
+//! added up.
 
 use bytemuck::{Pod, Zeroable};
 

@@ -5,8 +5,9 @@
 //! max M - min M <= max(0.01 M, 0.001 M_all)        max K - min K <= 0.01 G M^2 / R        over the last t_ff
 //! K = sum m |v - V|^2 / 2 over its pieces          R = (3 V / (4 pi))^(1/3), V its volume before the impact
 //! ```
-//! M, V mass (kg) and velocity of the remnant, m and v of a piece of it. The rotation of a fragment is not in K; a steady rotation of
-//! the whole is, and does not change. Matter that falls back in a wide orbit later than t_ff is part of M already, as it is bound.
+//! M, V mass (kg) and velocity of the remnant, m and v of a piece of it. The rotation of a fragment is not in K; a steady rotation
+//! of the whole is, and does not change. Matter that falls back in a wide orbit later than t_ff is part of M already, as it is
+//! bound.
 
 use std::collections::VecDeque;
 

@@ -9,7 +9,8 @@
 //! record    x y z vx vy vz ax ay az m r: f64, then three pointers, which are zero in a file
 //! end       a field "end" without data; 12 bytes for further snapshots, zero
 //! ```
-//! Settings that are not in the file keep REBOUND's defaults: its adaptive integrator IAS15, direct sums, no collisions. Units are SI.
+//! Settings that are not in the file keep REBOUND's defaults: its adaptive integrator IAS15, direct sums, no collisions. Units are
+//! SI.
 
 use std::fmt::Write;
 

@@ -1,6 +1,6 @@
 //! Exact sums per fragment: integers on a scale that all ranks agree on, so that the order of additions does not matter.
-//! A value is rounded once, to 2^-70 of the largest of its kind; 2^56 particles may be added up. The matter of the two bodies in question
-//! is summed apart.
+//! A value is rounded once, to 2^-70 of the largest of its kind; 2^56 particles may be added up. The matter of the two bodies in
+//! question is summed apart.
 
 use bytemuck::{Pod, Zeroable};
 

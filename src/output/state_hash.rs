@@ -93,8 +93,8 @@ pub fn hash_columns(columns: &Columns, id: Column<ParticleId>, which: &[usize]) 
     parts.map(|(sum, _)| sum).reduce(HashSum::default, merge)
 }
 
-/// The hash of the whole state, the same for any ranks and threads: that of the columns, and of the state `beside` them that all ranks know.
-/// Collective.
+/// The hash of the whole state, the same for any ranks and threads: that of the columns, and of the state `beside` them that all
+/// ranks know. Collective.
 pub fn state_hash(columns: &Columns, id: Column<ParticleId>, beside: &[u8], comm: &Comm) -> String {
     let mine = hash_columns(columns, id, &state_columns(columns));
     let mut sum = HashSum::over_ranks(&[mine], comm)[0];

@@ -11,8 +11,8 @@
 //! W M + M W = M sigma - sigma M        (tr(M) - M) w = a(M sigma)
 //! ```
 //! Its force is w x gW. Work against it is counted as heat, which is zero in rigid rotation. M is
-//! extrapolated from the last two evaluations, so that angular momentum is conserved to the second order of the step, and exactly by
-//! matter at rest.
+//! extrapolated from the last two evaluations, so that angular momentum is conserved to the second order of the step, and exactly
+//! by matter at rest.
 //! |w| is below the shear in sigma.
 
 use super::Pair;

@@ -1,8 +1,8 @@
 //! Artificial stress against the tensile instability (Gray, Monaghan & Swift 2001, CMAME 190, 6641, eqs 29-32): on each
 //! principal axis in tension, R = -epsilon sigma; between two particles it acts with f^4, f = W(r) / W(spacing).
 //!
-//! Its force is not central. Where angular momentum is conserved, only the part along the line between both counts: a [`tension`] of
-//! the pair, as large along the principal axes, that exerts no torque.
+//! Its force is not central. Where angular momentum is conserved, only the part along the line between both counts: a [`tension`]
+//! of the pair, as large along the principal axes, that exerts no torque.
 
 use super::Pair;
 use super::stress::PairStress;

@@ -1,5 +1,5 @@
-//! Every term of a pair, on eight pairs at once: one function per term, each adding to sums of its own. A term that a scene does not
-//! request is a constant of the compiled form and leaves no instruction.
+//! Every term of a pair, on eight pairs at once: one function per term, each adding to sums of its own. A term that a scene does
+//! not request is a constant of the compiled form and leaves no instruction.
 
 use super::record::{Layout, StressTerm, Terms, ViscousTerm};
 use super::stress::{PairStress, add_pressure_force};

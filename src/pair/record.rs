@@ -188,8 +188,8 @@ impl Layout {
     }
 }
 
-/// A number of which only the first 32 bits are in a record, to 5e-7. These enter both sides of a pair alike, so that sums are conserved as
-/// exactly as with all bits, and a solid's record takes two lines.
+/// A number of which only the first 32 bits are in a record, to 5e-7. These enter both sides of a pair alike, so that sums are
+/// conserved as exactly as with all bits, and a solid's record takes two lines.
 pub fn half(record: &[f64], k: usize) -> f64 {
     f64::from_bits(u64::from(bytemuck::cast_slice::<f64, u32>(record)[k]) << 32)
 }

@@ -1,5 +1,6 @@
 //! The lock of a folder: a file `lock` with host, process and the time at which that process started, made by rank 0 and
-//! removed when the work is done. The lock of a killed run is distinguished from that of a working one if it was started on this host.
+//! removed when the work is done. The lock of a killed run is distinguished from that of a working one if it was started on this
+//! host.
 
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};

@@ -1,6 +1,6 @@
-//! SIGTERM, SIGINT (Ctrl-C), SIGHUP and SIGUSR1, on any rank, request a checkpoint at the end of the step and a clean exit; a second
-//! Ctrl-C ends the process at once. Where the launcher of the ranks ends before them, they end at once, too, as their output is lost.
-//! A file that grows beyond the limit of the shell is an error like a full disk, not the end of the process.
+//! SIGTERM, SIGINT (Ctrl-C), SIGHUP and SIGUSR1, on any rank, request a checkpoint at the end of the step and a clean exit; a
+//! second Ctrl-C ends the process at once. Where the launcher of the ranks ends before them, they end at once, too, as their output
+//! is lost. A file that grows beyond the limit of the shell is an error like a full disk, not the end of the process.
 
 use std::fs;
 use std::os::unix::process::parent_id;

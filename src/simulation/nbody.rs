@@ -10,7 +10,8 @@ use crate::output::summary::Figures;
 const STEP: f64 = 1e-3;
 
 impl<const D: usize> Run<'_, D> {
-    /// Makes `nbody.csv` and `nbody.bin` where the scene requests them; returns the numbers of bodies and of pieces left out. Collective.
+    /// Makes `nbody.csv` and `nbody.bin` where the scene requests them; returns the numbers of bodies and of pieces left out.
+    /// Collective.
     pub(super) fn nbody(&mut self) -> Option<Figures> {
         let settings = self.scene.nbody?;
         self.stepper.release_buffers();

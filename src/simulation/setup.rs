@@ -38,8 +38,8 @@ pub struct Plan {
 /// Number of particles from which on a body's volume gives their number as well as a count.
 const MANY: f64 = 1e7;
 
-/// Numbers of particles by volume, without counting lattice sites, where there are many; `None` where they are few. Rows that end at
-/// a surface make a difference of less than a spacing over the body's size.
+/// Numbers of particles by volume, without counting lattice sites, where there are many; `None` where they are few. Rows that end
+/// at a surface make a difference of less than a spacing over the body's size.
 pub fn expected_particles(scene: &Scene) -> Option<Vec<BodyConstants>> {
     let expected = |body: &Body| body.expected_particles().round().max(1.0);
     if scene.bodies.iter().map(expected).sum::<f64>() < MANY {

@@ -76,7 +76,8 @@ impl<'a, const D: usize> Run<'a, D> {
         self.finish()
     }
 
-    /// Seconds of the next step, and the time after it: the last one ends exactly at the end, and one before a snapshot exactly at its time.
+    /// Seconds of the next step, and the time after it: the last one ends exactly at the end, and one before a snapshot exactly at
+    /// its time.
     fn next_step(&self) -> (f64, f64) {
         let (most, time) = (self.stepper.state.next, self.stepper.state.time);
         let stop = self.late_time().into_iter().chain(self.end_time()).fold(f64::INFINITY, f64::min);

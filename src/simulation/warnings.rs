@@ -16,11 +16,11 @@ const ENERGY_OVER_LEFT: f64 = 1e-2;
 const BELOW_ZERO: f64 = 1e-3;
 /// Largest drift of angular momentum over sum m |x| |v|.
 const ANGULAR_MOMENTUM: f64 = 1e-2;
-/// The least change of it that counts, over R sqrt(2 E M), the angular momentum of all matter on circles of the scene's size with the
-/// scale E of energy. In matter at rest sum m |x| |v| is noise, and so is the drift (6e-6 of this in balls at rest).
+/// The least change of it that counts, over R sqrt(2 E M), the angular momentum of all matter on circles of the scene's size with
+/// the scale E of energy. In matter at rest sum m |x| |v| is noise, and so is the drift (6e-6 of this in balls at rest).
 const TURNING: f64 = 1e-4;
-/// Share of a body's particles whose density may be off, and the least number of particles inside for a judgement. In good runs, shocks and
-/// spray included, 98 % lie within 0.88 and 1.14; of rubble whose voids are a spacing wide 5 % below 0.67.
+/// Share of a body's particles whose density may be off, and the least number of particles inside for a judgement. In good runs,
+/// shocks and spray included, 98 % lie within 0.88 and 1.14; of rubble whose voids are a spacing wide 5 % below 0.67.
 const OFF: f64 = 0.1;
 const LEAST_INSIDE: u64 = 20;
 /// Least particles of a remnant in 2D and 3D: about two thirds of so many lie at its surface.

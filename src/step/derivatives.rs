@@ -95,9 +95,9 @@ impl Derivatives<'_> {
         }
     }
 
-    /// The expansion, 1/s along each axis, by which a particle that has lost all neighbours releases its pressure, of either sign: at its
-    /// speed of sound over h, in ten steps or more, so that it limits no step. Without it the pressure of its last contact would
-    /// stay for good. Its energy stays, as it does no work on others.
+    /// The expansion, 1/s along each axis, by which a particle that has lost all neighbours releases its pressure, of either sign:
+    /// at its speed of sound over h, in ten steps or more, so that it limits no step. Without it the pressure of its last contact
+    /// would stay for good. Its energy stays, as it does no work on others.
     fn unloading(&self, k: usize, body: usize) -> f64 {
         let (view, dt) = (&self.settings.view, self.moment.dt);
         let at = |column| self.chunk.view(column).get(k);

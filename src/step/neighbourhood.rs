@@ -1,6 +1,6 @@
 //! The neighbourhood of particles between two list builds: their owners, the ghosts, the lists, and the
-//! watch that determines when all of it must be made anew. Everything is based on the positions of the last build, so that a resumed
-//! run has the same lists.
+//! watch that determines when all of it must be made anew. Everything is based on the positions of the last build, so that a
+//! resumed run has the same lists.
 
 use super::phases::{Phase, Phases};
 use super::settings::StepSettings;

@@ -14,7 +14,8 @@ use crate::particles::Columns;
 const STEPS_TO_OVERLAP: f64 = 8.0;
 
 impl<'c, const D: usize> Stepper<'c, D> {
-    /// Begins an evaluation at the first stage of a step, where one is due; returns it if other work may overlap with it. Collective.
+    /// Begins an evaluation at the first stage of a step, where one is due; returns it if other work may overlap with it.
+    /// Collective.
     pub(super) fn begin_gravity(&mut self, moment: &Moment) -> Option<Evaluation<'c>> {
         let own = self.settings.gravity.and_then(|gravity| gravity.own).filter(|_| moment.stage == 0)?;
         let (timing, dt) = (&mut self.state.gravity, moment.since);

@@ -1,5 +1,5 @@
-//! Pair records of owned particles from their columns: volume, damaged stress, artificial stress, viscosity. Neighbours, on this rank or others, read
-//! nothing else in the substep.
+//! Pair records of owned particles from their columns: volume, damaged stress, artificial stress, viscosity. Neighbours, on this
+//! rank or others, read nothing else in the substep.
 
 use std::ops::Range;
 

@@ -4,15 +4,15 @@
 //! ```text
 //! S_i = sum_j V_j W_ij     V = m / rho     is 1 where density is mass over volume,
 //! ```
-//! of whatever materials and spacings: 2 where particles are twice as dense as their densities. A particle is inside where it has at
-//! least half of the surrounding matter that it has in its lattice, evenly distributed:
+//! of whatever materials and spacings: 2 where particles are twice as dense as their densities. A particle is inside where it has
+//! at least half of the surrounding matter that it has in its lattice, evenly distributed:
 //!
 //! ```text
 //! C_i = sum_j v_j W_ij >= 1/2     |sum_j v_j (x_j - x_i) W_ij| <= h C_i / 10     v = (h / eta)^d
 //! ```
 //! Spray and surfaces, where S is meaningless, thus do not count; but matter with so little around it cannot be dense: at twice its
-//! initial density it has kept a density that is no longer true. W is the cubic spline whatever the scene's kernel: any would do. The
-//! sums run over the lists and records of the last evaluation.
+//! initial density it has kept a density that is no longer true. W is the cubic spline whatever the scene's kernel: any would do.
+//! The sums run over the lists and records of the last evaluation.
 
 use super::Stepper;
 use crate::kernel::{CubicSpline, SUPPORT, Shape};

@@ -49,8 +49,8 @@ pub fn after_evaluation<const D: usize>(
     })
 }
 
-/// The largest share of the skin that is used up on any rank; a failure where one of them met a non-finite number, so that none reaches
-/// a neighbour. Collective.
+/// The largest share of the skin that is used up on any rank; a failure where one of them met a non-finite number, so that none
+/// reaches a neighbour. Collective.
 pub fn before_evaluation(found: &Findings, skin_used: f64, step: u64, comm: &Comm) -> Result<f64, Failure> {
     let failed = found.non_finite.is_some();
     let mut values = [if failed { 0.0 } else { skin_used }, failed as u32 as f64];

@@ -27,8 +27,8 @@ pub struct StepSettings {
     pub skin: f64,
 }
 
-/// The state that later steps depend on beside the columns, the same on every rank. Checkpoint, state hash and summary take it as it
-/// is serialised here: a new field is in all of them.
+/// The state that later steps depend on beside the columns, the same on every rank. Checkpoint, state hash and summary take it as
+/// it is serialised here: a new field is in all of them.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct StepState {
     /// Steps so far.

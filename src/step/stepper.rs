@@ -1,5 +1,5 @@
-//! The particles of a rank and the step that advances them: the stages of the integrator, each with its lists, its records, its pairs
-//! and its reduction.
+//! The particles of a rank and the step that advances them: the stages of the integrator, each with its lists, its records, its
+//! pairs and its reduction.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -114,9 +114,9 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.rebuild(false);
     }
 
-    /// Advances all particles by `dt` seconds to the time `end`, or by less where the integrator refuses that. `signal`: the request of
-    /// this rank, reduced over all ranks. Where it fails, particles are left in the middle of the step on every rank, and the run can
-    /// only continue from a checkpoint.
+    /// Advances all particles by `dt` seconds to the time `end`, or by less where the integrator refuses that. `signal`: the
+    /// request of this rank, reduced over all ranks. Where it fails, particles are left in the middle of the step on every rank,
+    /// and the run can only continue from a checkpoint.
     pub fn step(&mut self, dt: f64, end: f64, signal: u32) -> Result<Stepped, Failure> {
         self.rebuild_released();
         let stages = self.settings.integrator.stages();
@@ -321,8 +321,8 @@ impl<'c, const D: usize> Stepper<'c, D> {
         found
     }
 
-    /// One stage: pack, exchange, pair sums, rates, which the integrator takes; overlapped with it, where it is due, gravity for later
-    /// steps; and the reduction. Collective.
+    /// One stage: pack, exchange, pair sums, rates, which the integrator takes; overlapped with it, where it is due, gravity for
+    /// later steps; and the reduction. Collective.
     fn evaluate(&mut self, moment: &Moment, signal: u32) -> Result<Reduced, Failure> {
         let start = Instant::now();
         self.pack(moment.since);

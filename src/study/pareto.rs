@@ -72,7 +72,8 @@ pub fn price(curve: &[Step], target: f64) -> Option<ErrorCost> {
     })
 }
 
-/// The cost by extrapolation beyond the finest run, by straight lines through all: error over spacing of this `order`, cost over spacing.
+/// The cost by extrapolation beyond the finest run, by straight lines through all: error over spacing of this `order`, cost over
+/// spacing.
 pub fn beyond(curve: &[Step], target: f64, order: f64) -> Option<ErrorCost> {
     let finest = curve.last()?;
     let logs: Vec<(f64, f64)> = curve.iter().map(|s| (libm::log(s.spacing), libm::log(s.cost))).collect();

@@ -64,8 +64,8 @@ fn chosen(study: &Analysis, path: &Path, accuracy: f64) -> Option<Accuracy> {
     })
 }
 
-/// Whether the study is of this scene: with the overrides of the study's first point, both must be the same, `[study.set]` included. An error that
-/// names the first difference, where the study is of a scene of that name.
+/// Whether the study is of this scene: with the overrides of the study's first point, both must be the same, `[study.set]`
+/// included. An error that names the first difference, where the study is of a scene of that name.
 fn same_scene(scene: &Scene, study: &Analysis) -> std::result::Result<bool, String> {
     let Some(first) = study.points.first() else { return Ok(false) };
     let choice = |overrides: &[String]| scene.reread(overrides);

@@ -87,8 +87,8 @@ impl Impact {
         fit::is_fitted(self.outcome.largest_remnant_fraction)
     }
 
-    /// Relative uncertainty of its energy: the drift over the remaining kinetic energy, which determines how much leaves the target;
-    /// zero without a warning of it.
+    /// Relative uncertainty of its energy: the drift over the remaining kinetic energy, which determines how much leaves the
+    /// target; zero without a warning of it.
     pub fn drift(&self) -> f64 {
         let warned = self.warnings.iter().any(|warning| warning.kind == "energy");
         match (warned, self.price.energy_drift_over_left) {

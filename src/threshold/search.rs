@@ -1,8 +1,8 @@
 //! The catastrophic disruption threshold: impact after impact at the scene's speed and angle, the projectile's size varied,
 //! until the largest remnant is known to fall through one half. Q*_D and Q*_RD come from the same impacts. A few more, at the
 //! threshold but with other flaws and another orientation of the lattice, show how reliable the outcome of one impact is:
-//! their standard deviation, over the slope of the remnant law, is part of the uncertainty. So is the drift of energy, where a fitted impact
-//! warns of it.
+//! their standard deviation, over the slope of the remnant law, is part of the uncertainty. So is the drift of energy, where a
+//! fitted impact warns of it.
 
 use std::path::Path;
 

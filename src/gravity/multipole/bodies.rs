@@ -11,7 +11,8 @@ pub struct Bodies {
     pub inverse_softening: Vec<f64>,
 }
 
-/// Nearer than this, in sides of the root cube, bodies count as coincident: the square is still above the smallest number of single precision.
+/// Nearer than this, in sides of the root cube, bodies count as coincident: the square is still above the smallest number of single
+/// precision.
 const NEAREST2: f64 = 1e-36;
 
 impl Bodies {

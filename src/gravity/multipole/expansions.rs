@@ -18,8 +18,8 @@
 //! added       L_i  by  E_i / M        for |i| = 1
 //! ```
 //!
-//! of one degree more, which accelerate all of its mass alike. All forces are then the gradient of U, which does not change when both cells are
-//! rotated: angular momentum is conserved to rounding, as in Marcello (2017, Astron. J. 154, 92), and energy except
+//! of one degree more, which accelerate all of its mass alike. All forces are then the gradient of U, which does not change when
+//! both cells are rotated: angular momentum is conserved to rounding, as in Marcello (2017, Astron. J. 154, 92), and energy except
 //! when other pairs of cells are opened.
 
 use super::indices::{ALL, HIGHEST, MOST, POWERS, SUM, count, degree, index, monomials};

@@ -9,8 +9,8 @@
 //!
 //! with a_A the least acceleration in A when gravity was last evaluated; the estimate is that of Dehnen (2014, Comp. Astrophys.
 //! Cosmol. 1, 1), the measure that of Springel (2005, MNRAS 364, 1105). The test does not change when A and B are swapped, so
-//! that cells are far from each other in both directions. It holds the better the larger R and a, and the smaller s, h and M are: what is true
-//! of bounds is true of all that they bound.
+//! that cells are far from each other in both directions. It holds the better the larger R and a, and the smaller s, h and M are:
+//! what is true of bounds is true of all that they bound.
 
 use bytemuck::{Pod, Zeroable};
 

@@ -1,5 +1,5 @@
-//! The field of bodies of many ranks, at all of them: which rank builds which branch of the tree, which parts of it are sent, and how
-//! results return to the owners.
+//! The field of bodies of many ranks, at all of them: which rank builds which branch of the tree, which parts of it are sent, and
+//! how results return to the owners.
 
 use std::ops::Range;
 

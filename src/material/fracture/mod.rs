@@ -383,8 +383,8 @@ mod tests {
         assert_eq!(gas.columns.registry.integrated.len(), 2, "density and energy");
     }
 
-    /// Whether damage of this value grows under a tensile stress that is `share` of the one at which the weakest flaw opens, by shear
-    /// or by pressure, in matter with this distention.
+    /// Whether damage of this value grows under a tensile stress that is `share` of the one at which the weakest flaw opens, by
+    /// shear or by pressure, in matter with this distention.
     fn grows(material: &MaterialTable, (damage, distention): (f64, f64), share: f64, by_shear: bool) -> bool {
         let mut rig = Rig::new(material.clone());
         let (bulk, shear) = (26.7e9, 22.7e9);

@@ -301,8 +301,8 @@ mod tests {
         assert!((curve.at(1.495e7).0 - 1.9).abs() < 1e-3);
     }
 
-    /// A curve that is sampled and interpolated agrees with the original, to the fourth order of the spacing of its points; it never
-    /// overshoots.
+    /// A curve that is sampled and interpolated agrees with the original, to the fourth order of the spacing of its points; it
+    /// never overshoots.
     #[test]
     fn measured_curves_are_followed_monotonically() {
         let exact = CrushCurve::new(&CurveTable::TwoSlope(&pumice()), 1.0, 4.64);

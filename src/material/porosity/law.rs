@@ -297,8 +297,8 @@ mod tests {
         assert!((unloaded - first).abs() < 1e-8, "{unloaded} {first}");
     }
 
-    /// Newton's steps are few, so that pores cost little: with the bracket tested before convergence they were 16 in the mean, and up
-    /// to 50.
+    /// Newton's steps are few, so that pores cost little: with the bracket tested before convergence they were 16 in the mean, and
+    /// up to 50.
     #[test]
     fn roots_are_found_in_few_steps() {
         let porous = aluminium(1.275);

@@ -13,8 +13,9 @@
 //! when the last step was accepted: an integrator that tries a state sets it back before it tries another.
 //!
 //! Columns: owns `distention`, `unloaded_distention` where pores are elastic, `stress_factor` (f of eq. 53, which `strength`
-//! reads), `loading_speed` where viscosity uses it (longitudinal, of further compression; `strength` stiffens it), and, where a porous material can break, `compaction_damage` (growth of D^(1/3) in this step, which `fracture` adds to
-//! its own). Sets the core columns `pressure` and `sound_speed` of porous bodies.
+//! reads), `loading_speed` where viscosity uses it (longitudinal, of further compression; `strength` stiffens it), and, where a
+//! porous material can break, `compaction_damage` (growth of D^(1/3) in this step, which `fracture` adds to its own). Sets the core
+//! columns `pressure` and `sound_speed` of porous bodies.
 //! Time step: alpha changes by at most 0.2 (alpha_0 - 1), so that a collapse is resolved by several steps. With distention
 //! solved for, and the Courant condition beside it, no case was found where the shock's energy depends on this limit.
 

@@ -17,8 +17,8 @@
 //! ```
 //! f of `porosity`, within 0 and 1; alpha' the rate of distention alpha. Y does not depend on alpha.
 //!
-//! Without friction S is the stress of the undamaged matter: damage weakens the acting stress (see `damage`) and is never written back.
-//! With friction Y depends on damage, and S is the acting stress: damage affects shear in no other way, or broken rock
+//! Without friction S is the stress of the undamaged matter: damage weakens the acting stress (see `damage`) and is never written
+//! back. With friction Y depends on damage, and S is the acting stress: damage affects shear in no other way, or broken rock
 //! under pressure would bear none. Y then needs the pressure, so that S returns to its surface when that is known, at the state
 //! of the pair loop; damage is that of the step before.
 //! Columns: owns `deviatoric_stress`; stiffens the core column `sound_speed`.

@@ -11,8 +11,8 @@
 //!     one reduction over ranks
 //! accept: update, commit              has committed             refuse: set back, try less
 //! ```
-//! An integrator that never refuses commits irreversible changes before its evaluation, so that they act on neighbours at once; one that
-//! may refuse commits when a step is accepted. Everything is local to a particle; global values go through the
+//! An integrator that never refuses commits irreversible changes before its evaluation, so that they act on neighbours at once; one
+//! that may refuse commits when a step is accepted. Everything is local to a particle; global values go through the
 //! reduction of the stage.
 //!
 //! Adding one: a file here, its key in the scene's `[numerics]`, and the line that selects it where a run is set up.

@@ -10,9 +10,9 @@
 //! The jerk j makes the scheme stable. Without it the pair of v and stress, an oscillator of frequency w, follows the rule of
 //! Adams and Bashforth, in which vibrations that nothing damps grow by (w dt)^4 / 4 per step: an elastic sphere that rotated
 //! for 3e4 steps became unstable. With the velocity predicted to second order they decay by (w dt)^4 / 8, up to w dt = 0.7, and the
-//! error of their frequency is 2.5 times smaller. This takes one vector per particle; to predict the stress in the same way would take five
-//! numbers and more. Irreversible state (damage) is no integrated column: it grows once per step, at the predicted state, and is
-//! never taken back.
+//! error of their frequency is 2.5 times smaller. This takes one vector per particle; to predict the stress in the same way would
+//! take five numbers and more. Irreversible state (damage) is no integrated column: it grows once per step, at the predicted state,
+//! and is never taken back.
 //!
 //! Columns: `acceleration`, `jerk`, and a rate for every integrated column.
 

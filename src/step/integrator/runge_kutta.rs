@@ -5,9 +5,9 @@
 //! k_0 = f(y),    k_1 = f(y + dt k_0),    y' = y + dt/2 (k_0 + k_1)
 //! e = dt/2 |k_1 - k_0|      the difference to Euler's step, which is embedded
 //! ```
-//! for positions, velocities and every integrated column. The error over the tolerated one is E = max(e_v / w, e_rho / rho) / tolerance,
-//! w the largest relative velocity of any two particles. A step with E > 1 is refused; the next one is dt clamp(0.9 / sqrt(E), 1/5, 2)
-//! long, and no longer than the limits of any step.
+//! for positions, velocities and every integrated column. The error over the tolerated one is
+//! E = max(e_v / w, e_rho / rho) / tolerance, w the largest relative velocity of any two particles. A step with E > 1 is refused;
+//! the next one is dt clamp(0.9 / sqrt(E), 1/5, 2) long, and no longer than the limits of any step.
 //!
 //! Irreversible changes start at each stage from the last accepted state. Columns: k_0 of velocities and of every integrated
 //! column, and a copy of every state column.
