@@ -13,7 +13,7 @@ pub struct Error {
     pub place: String,
     /// What is allowed instead; empty when there is nothing to choose from.
     pub allowed: String,
-    /// Whether what was asked for is at fault, not the run on its way: the exit code tells them apart.
+    /// Whether the input is at fault, not the run itself: their exit codes differ.
     pub bad_input: bool,
 }
 
@@ -62,8 +62,8 @@ impl std::fmt::Display for Error {
     }
 }
 
-/// Text as a terminal may get it: names and values of a scene come from anywhere, and what would move the cursor, retitle the
-/// window or turn lines round is spelt out, `\u{1b}`. Ends of lines stay.
+/// Text as a terminal may get it: names and values of a scene come from anywhere, and characters that would move the cursor,
+/// retitle the window or reverse lines are escaped, `\u{1b}`. Ends of lines stay.
 pub fn plain(text: &str) -> Cow<'_, str> {
     let acts = |c: char| {
         let turns =

@@ -1,4 +1,4 @@
-//! A hydrocode for impacts into strong, brittle, porous and dusty bodies: smoothed particles, distributed with MPI.
+//! A hydrocode for impacts into strong, brittle, porous and dusty bodies: smoothed particle hydrodynamics, distributed with MPI.
 
 pub mod error;
 pub mod math;

@@ -227,7 +227,7 @@ fn check_machine(args: &Args, comm: &Comm) -> Result<()> {
         }
         _ => Ok(()),
     };
-    agree(comm, threads.and(lanes::check_wish()).and(Fault::check()))
+    agree(comm, threads.and(lanes::check_requested()).and(Fault::check()))
 }
 
 /// Directory, threads, signals; the lock of the directory, on rank 0.

@@ -1,5 +1,5 @@
 //! Counter-based random numbers: a draw is a pure function of (seed, global id, draw), so that a particle has the same
-//! numbers whatever rank holds it and whenever they are asked for. Philox4x32-10, Salmon et al. 2011 (SC11), section 4.
+//! numbers whatever rank holds it and whenever they are drawn. Philox4x32-10, Salmon et al. 2011 (SC11), section 4.
 
 /// Four 32-bit words for one counter and key.
 #[inline]

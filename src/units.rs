@@ -1,6 +1,6 @@
 //! Quantities with units, as scenes and the material library write them: `"50 km"`, `"7e9 dyn/cm^2"`, `"4.0e29 cm^-3"`,
 //! or a bare number, which is SI. The dimension is part of the type, so a length given in kilograms is an error that names
-//! what was found and what is wanted. Inside the program everything is SI: `.0` is the number.
+//! the unit found and the expected one. Inside the program everything is SI: `.0` is the number.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -52,7 +52,7 @@ struct Dimension([i8; 4]);
 
 const ANGLE: Dimension = Dimension([0, 0, 0, 1]);
 
-/// What a dimension is called, the unit it is printed in, and what a scene may write.
+/// The name of a dimension, the unit it is printed in, and examples for a scene.
 struct Kind {
     dimension: Dimension,
     name: &'static str,
@@ -147,13 +147,13 @@ impl Dimension {
         self.kind().map_or_else(|| format!("\"1 {0}\", or a number of {0}", self.unit()), |k| k.examples.to_string())
     }
 
-    /// Whether a value of dimension `found` may stand where `self` is wanted: a rate of rotation is a rate.
+    /// Whether a value of dimension `found` is allowed where `self` is expected: a rate of rotation is a rate.
     fn accepts(self, found: Dimension) -> bool {
         self == found || (self.0 == [0, 0, -1, 0] && found.0 == [0, 0, -1, 1])
     }
 }
 
-/// What a text with a unit says: its value in SI, and its dimension; none where it is a bare number.
+/// The value in SI of a text with a unit, and its dimension; `None` where it is a bare number.
 fn parse(text: &str) -> std::result::Result<(f64, Option<Dimension>), String> {
     let text = text.trim();
     let (number, unit_text) = text.split_at(number_length(text));
@@ -268,20 +268,20 @@ fn read(text: &str, wanted: Dimension) -> Result<f64> {
     }
 }
 
-/// The largest quantity in SI units: what is computed with it stays a number. No matter comes near.
+/// The largest quantity in SI units, so that results computed with it stay finite. No matter comes near.
 const LARGEST: f64 = 1e100;
-/// Of flaws there may be more: k of Weibull's law grows with its other parameter.
+/// Number densities may be larger: k of Weibull's law grows with its other parameter.
 const COUNTS: Dimension = Dimension([-3, 0, 0, 0]);
 
 fn within_reach(value: f64, wanted: Dimension) -> Result<f64> {
     if value.abs() <= LARGEST || (wanted == COUNTS && value.is_finite()) {
         return Ok(value);
     }
-    let what = format!("{value:e} is beyond the reach of numbers; {} is wanted", wanted.name());
+    let what = format!("{value:e} is too large; {} is wanted", wanted.name());
     Err(Error::new(what).allowed(format!("up to {LARGEST:e} {}", wanted.unit()).trim_end()))
 }
 
-/// The number of SI units that a text with any unit stands for.
+/// The value in SI units of a text with any unit.
 pub fn si(text: &str) -> Result<f64> {
     parse(text).map(|(value, _)| value).map_err(|why| Error::new(format!("\"{text}\" {why}")))
 }
@@ -496,7 +496,7 @@ mod tests {
         );
         assert!("5 parsec".parse::<Length>().unwrap_err().to_string().contains("unknown unit `parsec`"));
         let text = "1e98 km".parse::<Length>().unwrap_err().to_string();
-        assert_eq!(text, "1e101 is beyond the reach of numbers; a length is wanted (allowed: up to 1e100 m)");
+        assert_eq!(text, "1e101 is too large; a length is wanted (allowed: up to 1e100 m)");
         assert!("1e120 m^-3".parse::<NumberDensity>().is_ok() && "-1e101".parse::<Number>().is_err());
         assert!("45 deg".parse::<Number>().is_err());
         assert!("5 m".parse::<Angle>().is_err());

@@ -1,5 +1,5 @@
-//! What a person should know before trusting an answer: warnings about a scene, a run, a search or a study. All kinds meet in one
-//! list, which goes to the terminal and the log, to summary.json, and, by kind, to the last line of what was run.
+//! Warnings about a scene, a run, a search or a study, which a user should know before trusting a result. All kinds are in one
+//! list, which goes to the terminal and the log, to summary.json, and, by kind, to the last line of the output.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 pub struct Warning {
     /// One word, for scripts: `energy`, `overlap` ...
     pub kind: String,
-    /// One sentence: figures, and what to change.
+    /// One sentence: figures, and the change to make.
     pub text: String,
 }
 
@@ -19,9 +19,9 @@ impl Warning {
 }
 
 /// One line each, on rank 0.
-pub fn say(warnings: &[Warning], is_root: bool) {
-    let told = warnings.iter().filter(|_| is_root);
-    told.for_each(|warning| tracing::warn!("{}: {}", warning.kind, warning.text));
+pub fn log(warnings: &[Warning], is_root: bool) {
+    let logged = warnings.iter().filter(|_| is_root);
+    logged.for_each(|warning| tracing::warn!("{}: {}", warning.kind, warning.text));
 }
 
 /// The end of a last line: empty, or `; 2 warnings: energy, density`.
@@ -70,14 +70,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lists_are_told_in_short_and_merged_by_kind() {
+    fn lists_are_texts_in_short_and_merged_by_kind() {
         let [a, b] = ["energy", "density"].map(|kind| Warning::new(kind, format!("{kind} is off")));
         assert_eq!(in_short(&[]), "");
         assert_eq!(in_short(std::slice::from_ref(&a)), "; 1 warning: energy");
         assert_eq!(in_short(&[a.clone(), b.clone(), a.clone()]), "; 3 warnings: energy, density");
         let runs: [&[Warning]; 3] = [&[], &[a.clone(), b], &[a]];
         let all = merged("impact", (1..).zip(runs));
-        let told: Vec<&str> = all.iter().map(|warning| warning.text.as_str()).collect();
-        assert_eq!(told, ["2 of 3 impacts, first impact 2: energy is off", "impact 2: density is off"]);
+        let texts: Vec<&str> = all.iter().map(|warning| warning.text.as_str()).collect();
+        assert_eq!(texts, ["2 of 3 impacts, first impact 2: energy is off", "impact 2: density is off"]);
     }
 }

@@ -312,9 +312,9 @@ until = "1 s"
     });
 }
 
-/// A bar whose ends swallow waves. The packet in its middle splits in two; what both layers send back stays as energy.
+/// A bar with absorbing layers at its ends. The packet in its middle splits in two; what both layers send back stays as energy.
 const BAR: &str = r#"
-title = "A bar whose ends swallow waves"
+title = "A bar with absorbing ends"
 dimension = 2
 [domain]
 periodic = { y = [0, "5.196 cm"] }

@@ -5,41 +5,41 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 use sph_mpi::exact::State;
-use sph_mpi::exact::compaction::Sponge;
+use sph_mpi::exact::compaction::PorousMedium;
 use sph_mpi::material::MaterialTable;
 use sph_mpi::material::porosity::law::Porous;
 
 use crate::common::{Launch, PROGRAM, summary};
 
 /// Matter of figures 1 to 3, with a law of compaction.
-fn sponge(alpha_0: f64, c: f64, law: &str) -> Sponge {
+fn porous_medium(alpha_0: f64, c: f64, law: &str) -> PorousMedium {
     let text = format!(
         "eos = {{ simplified_tillotson = {{ rho_0 = 2700, c = {c}, A = 7.5e10 }} }}\n[porosity]\ndistention = {alpha_0}\n{law}"
     );
     let material: MaterialTable = toml::from_str(&text).expect("a material");
     material.validate("material.simple").expect("a sound material");
-    Sponge::of(&material, alpha_0).expect("a porous material")
+    PorousMedium::of(&material, alpha_0).expect("a porous material")
 }
 
-fn by_pressure(alpha_0: f64, c: f64) -> Sponge {
-    sponge(alpha_0, c, "p_alpha = { quadratic = { P_e = 8e7, P_s = 7e8 } }")
+fn by_pressure(alpha_0: f64, c: f64) -> PorousMedium {
+    porous_medium(alpha_0, c, "p_alpha = { quadratic = { P_e = 8e7, P_s = 7e8 } }")
 }
 
-fn by_cold_pressure(alpha_0: f64) -> Sponge {
-    sponge(alpha_0, 2.0, "rho_alpha = { quadratic = { P_e = 8e7, P_s = 7e8 } }")
+fn by_cold_pressure(alpha_0: f64) -> PorousMedium {
+    porous_medium(alpha_0, 2.0, "rho_alpha = { quadratic = { P_e = 8e7, P_s = 7e8 } }")
 }
 
 /// Constant matrix density from where the Hugoniot with closed pores has P_e:
 /// rho_e / rho_0 = [1 + (1 + c/2) alpha_0 P_e / A] / [1 + c/2 alpha_0 P_e / A].
-fn by_strain(alpha_0: f64, c: f64) -> Sponge {
+fn by_strain(alpha_0: f64, c: f64) -> PorousMedium {
     let x = alpha_0 * 8e7 / 7.5e10;
     let strain = libm::log((1.0 + (1.0 + 0.5 * c) * x) / (1.0 + 0.5 * c * x));
-    sponge(alpha_0, c, &format!("epsilon_alpha = {{ kappa = 1, elastic_strain = {strain:e} }}"))
+    porous_medium(alpha_0, c, &format!("epsilon_alpha = {{ kappa = 1, elastic_strain = {strain:e} }}"))
 }
 
 /// The weakest shock behind which something holds that holds behind every stronger one; `None` up to 1e8 m/s.
-fn weakest(sponge: &Sponge, holds: impl Fn(&State) -> bool) -> Option<State> {
-    let behind = |gain: f64| sponge.shock(gain).map(|front| front.behind).ok();
+fn weakest(medium: &PorousMedium, holds: impl Fn(&State) -> bool) -> Option<State> {
+    let behind = |gain: f64| medium.shock(gain).map(|front| front.behind).ok();
     let (mut low, mut high) = (1e-3, 1e8);
     behind(high).filter(|state| holds(state))?;
     loop {
@@ -71,11 +71,11 @@ fn assert_near(found: f64, expected: f64, what: &str) {
 #[test]
 fn figure_1() {
     for alpha_0 in [1.275, 3.0] {
-        let sponge = by_pressure(alpha_0, 2.0);
+        let medium = by_pressure(alpha_0, 2.0);
         let rows = reference(&format!("jutzi08_fig1_alpha0_{alpha_0:?}.csv"));
         assert!(rows.len() > 20);
         for row in rows.iter().filter(|row| row[0] > 0.0) {
-            let state = weakest(&sponge, |state| state.stress >= row[0]).expect("a shock");
+            let state = weakest(&medium, |state| state.stress >= row[0]).expect("a shock");
             assert_near(state.distention, row[1], "alpha");
             assert_near(state.density, row[2], "rho");
             assert_near(state.distention * state.density, row[3], "rho_s");
@@ -86,16 +86,16 @@ fn figure_1() {
 }
 
 /// Pressure at a distention on the Hugoniot; infinite where it is never reached.
-fn pressure_at(sponge: &Sponge, alpha_0: f64, alpha: f64) -> f64 {
+fn pressure_at(medium: &PorousMedium, alpha_0: f64, alpha: f64) -> f64 {
     let reached = |state: &State| state.distention < alpha || (state.distention == alpha && alpha < alpha_0);
-    weakest(sponge, reached).map_or(f64::INFINITY, |state| state.stress)
+    weakest(medium, reached).map_or(f64::INFINITY, |state| state.stress)
 }
 
 #[track_caller]
-fn assert_curve(sponge: &Sponge, alpha_0: f64, rows: &[Vec<f64>], column: usize) {
+fn assert_curve(medium: &PorousMedium, alpha_0: f64, rows: &[Vec<f64>], column: usize) {
     let mut finite = 0;
     for row in rows {
-        let pressure = pressure_at(sponge, alpha_0, row[0]);
+        let pressure = pressure_at(medium, alpha_0, row[0]);
         if row[column].is_finite() {
             assert_near(pressure, row[column], &format!("P at alpha = {}", row[0]));
             finite += 1;
@@ -112,7 +112,7 @@ fn figure_2() {
     for alpha_0 in [1.275, 3.0] {
         let rows = reference(&format!("jutzi08_fig2_alpha0_{alpha_0:?}.csv"));
         let laws = [by_pressure(alpha_0, 2.0), by_cold_pressure(alpha_0), by_strain(alpha_0, 2.0)];
-        laws.iter().zip(1..).for_each(|(sponge, column)| assert_curve(sponge, alpha_0, &rows, column));
+        laws.iter().zip(1..).for_each(|(medium, column)| assert_curve(medium, alpha_0, &rows, column));
     }
 }
 
@@ -132,8 +132,8 @@ fn figure_3() {
 #[test]
 fn least_distentions() {
     for (c, least) in [(2.0, 1.5048), (1.0, 1.0032), (0.5, 0.6019)] {
-        let sponge = by_strain(3.0, c);
-        let [a, b] = [2.9, 2.5].map(|alpha| (alpha, 1.0 / pressure_at(&sponge, 3.0, alpha)));
+        let medium = by_strain(3.0, c);
+        let [a, b] = [2.9, 2.5].map(|alpha| (alpha, 1.0 / pressure_at(&medium, 3.0, alpha)));
         let vanishes = a.0 - a.1 * (b.0 - a.0) / (b.1 - a.1);
         assert!((vanishes - least).abs() < 5e-5, "c = {c}: {vanishes}");
     }

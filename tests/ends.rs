@@ -152,7 +152,7 @@ fn a_panic_stands_in_the_log() {
     let dir = tempfile::tempdir().expect("a temporary directory");
     Launch::in_directory(2, dir.path(), IMPACT, &[]).env("SPH_MPI_FAULT", "panic:1:5").limit(60).run();
     let log = text(&dir.path().join("run/log.txt"));
-    assert!(log.contains("error: rank 1 panicked") && log.contains("asked for at step 5"), "{log}");
+    assert!(log.contains("error: rank 1 panicked") && log.contains("requested at step 5"), "{log}");
 }
 
 /// mpirun ends at a second Ctrl-C without its ranks, which then end by themselves.

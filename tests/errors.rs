@@ -170,7 +170,7 @@ fn assert_fault_ends_the_job(fault: &str, start: impl FnOnce(&[&str]) -> Launch)
 fn panic_on_one_rank_ends_the_job() {
     for fault in ["panic:0:5", "panic:1:5", "pool:0:5", "pool:1:5"] {
         let stderr = assert_fault_ends_the_job(fault, |args| Launch::scene(2, args));
-        assert!(stderr.contains("a panic was asked for"), "{stderr}");
+        assert!(stderr.contains("a panic was requested"), "{stderr}");
     }
 }
 
@@ -178,7 +178,7 @@ fn panic_on_one_rank_ends_the_job() {
 fn panic_without_mpirun_ends_the_program() {
     for fault in ["panic:0:5", "pool:0:5"] {
         let stderr = assert_fault_ends_the_job(fault, |args| Launch::alone(PROGRAM, args));
-        assert!(stderr.contains("a panic was asked for"), "{stderr}");
+        assert!(stderr.contains("a panic was requested"), "{stderr}");
     }
 }
 

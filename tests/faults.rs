@@ -1,4 +1,4 @@
-//! What a run survives: a full disk, damaged checkpoints, ranks that are killed, a number that is none. Each time there is one
+//! What a run survives: a full disk, damaged checkpoints, ranks that are killed, a non-finite number. Each time there is one
 //! message and one exit code, and the run that goes on ends with the bits of one that nothing happened to.
 
 use std::collections::BTreeMap;
@@ -177,7 +177,7 @@ fn damaged_newest_checkpoint_gives_way_to_the_previous_one() {
         let legs = damaged(|newest, _| damage(newest));
         legs.finish();
         let log = fs::read_to_string(legs.file("log.txt")).expect("a log");
-        let last = log.lines().rfind(|line| line.contains("going on from"));
+        let last = log.lines().rfind(|line| line.contains("resuming from"));
         assert!(last.is_some_and(|line| line.ends_with("checkpoint_previous.h5")) && log.contains(says), "{log}");
     }
 }
@@ -247,7 +247,7 @@ fn checksums(path: &Path) -> BTreeMap<String, String> {
     columns.member_names().expect("names").iter().map(|name| (name.clone(), sum(name))).collect()
 }
 
-/// A number that is none is told with step, particle, body, effect and quantity. The state from which the step started is
+/// A non-finite number is reported with step, particle, body, effect and quantity. The state from which the step started is
 /// saved, to the bit, on any number of ranks, with a checkpoint to start from and without one.
 #[test]
 fn a_number_that_is_none_is_named_and_the_state_before_it_saved() {

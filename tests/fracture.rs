@@ -220,7 +220,7 @@ impl Elements {
             let chunk = unsafe { chunks.chunk(range) };
             let (bodies, constants) = (&bodies[..], &self.constants[..]);
             let rates = &self.rates;
-            act(self.fracture.as_ref(), &Local { chunk: &chunk, bodies, constants, motion: &[], rates, dt });
+            act(self.fracture.as_ref(), &Local { chunk: &chunk, bodies, constants, flow: &[], rates, dt });
         }
     }
 

@@ -68,7 +68,7 @@ fn fast_into_soft_on_any_ranks() {
     });
 }
 
-/// Cold gas hears nothing of what comes. Without the limit both clouds were through each other after a single step of 0.1 s, with all of
+/// No signal in cold gas announces approaching matter. Without the limit both clouds were through each other after a single step of 0.1 s, with all of
 /// their kinetic energy.
 #[test]
 fn gas_clouds_that_meet_collide() {
@@ -207,7 +207,7 @@ fn slow_balls_keep_their_angular_momentum() {
     });
 }
 
-/// Cold gas flies against a ball of iron without strength, eight thousand times as dense: pairs of so different densities are told apart by
+/// Cold gas hits a ball of iron without strength, eight thousand times as dense: pairs of so different densities are told apart by
 /// default, and the corrected gradient comes with it. With the same shares for both, energy changes by half of what there is and more.
 #[test]
 fn thin_gas_flies_against_iron() {
@@ -241,7 +241,7 @@ until = 1
     });
 }
 
-/// A particle that flies alone lets go of its pressure, of either sign, and keeps its energy. Before, both stayed for good.
+/// A particle that has left all others releases its pressure, of either sign, and keeps its energy. Before, both stayed for good.
 #[test]
 fn what_flies_alone_lets_go() {
     let text = |density: f64, energy: f64| {

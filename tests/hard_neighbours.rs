@@ -365,7 +365,7 @@ fn cold_expanded_matter() {
     assert!(seen >= 12);
 }
 
-/// A liquid pulled through all these states. With c^2 as it comes, the speed of sound is no number after the
+/// A liquid pulled through all these states. With c^2 as it comes, the speed of sound is NaN after the
 /// first step.
 #[test]
 fn a_liquid_that_is_pulled_apart() {

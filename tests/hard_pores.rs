@@ -8,7 +8,7 @@ use sph_mpi::domain::comm::Comm;
 use sph_mpi::material::MaterialTable;
 use sph_mpi::material::porosity::law::{Compaction, Porous};
 use sph_mpi::math::{Deviator, Vec3};
-use sph_mpi::particles::Shape;
+use sph_mpi::particles::ColumnShape;
 
 use crate::common::{ByHand, IMPACT, ranks};
 
@@ -43,7 +43,7 @@ pub fn material<'a, const D: usize>(hand: &'a ByHand<D>, name: &str) -> &'a Mate
 
 pub fn all_finite<const D: usize>(hand: &ByHand<D>) -> bool {
     let entries = hand.stepper.columns.registry.entries.iter().enumerate();
-    let mut numbers = entries.filter(|(_, entry)| entry.shape != Shape::Id);
+    let mut numbers = entries.filter(|(_, entry)| entry.shape != ColumnShape::Id);
     numbers.all(|(index, _)| hand.stepper.columns.numbers(index).iter().all(|x| x.is_finite()))
 }
 
@@ -72,7 +72,7 @@ until = 1
 "#;
 
 /// Sound runs to and fro in matter that it has crushed at first: each particle stays where its largest pressure has put it. Were
-/// loading told from dP/dt > 0 alone, pores would give way at every turn, until pressure is gone: alpha ended 0.018 below the
+/// loading told from dP/dt > 0 alone, pores would collapse in every cycle, until pressure is gone: alpha ended 0.018 below the
 /// curve.
 #[test]
 fn loading_again_in_a_flying_body() {
@@ -93,7 +93,7 @@ fn loading_again_in_a_flying_body() {
                 let most = most.get_mut(&id).expect("a known particle");
                 *most = most.max(p);
                 if id == watched {
-                    // Rises again, where pores would give way under a first load.
+                    // Rises again, where pores would collapse under a first load.
                     let n = trace.len();
                     loads += u64::from(trace[n - 1] < trace[n - 2] && p > trace[n - 1] && p > curve.elastic_limit());
                     trace.push(p);
@@ -111,7 +111,7 @@ fn loading_again_in_a_flying_body() {
 }
 
 /// alpha_0 = 1 is the solid, bit for bit. Were D_c = 1 - (alpha - 1) / (alpha_0 - 1) taken as it is written, the run would end in
-/// its first evaluation: compaction_damage is no number.
+/// its first evaluation: compaction_damage is NaN.
 #[test]
 fn zero_porosity_is_the_solid() {
     ranks(1, "hard_pores::zero_porosity_is_the_solid", |comm| {
@@ -125,7 +125,7 @@ fn zero_porosity_is_the_solid() {
             let column = hand.stepper.columns.registry.entries.iter().position(|e| e.name == name).expect("a column");
             hand.stepper.columns.numbers(column).iter().map(|x| x.to_bits()).collect()
         };
-        let shared = solid.stepper.columns.registry.entries.iter().filter(|entry| entry.shape != Shape::Id);
+        let shared = solid.stepper.columns.registry.entries.iter().filter(|entry| entry.shape != ColumnShape::Id);
         let names: Vec<&str> = shared.map(|entry| entry.name.as_str()).collect();
         names.iter().for_each(|name| assert!(words(solid, name) == words(porous, name), "{name} differs"));
         let broken = solid.numbers("damage").iter().sum::<f64>() / solid.particles().len() as f64;
@@ -155,7 +155,7 @@ until = 1
 "#;
 
 /// On the crush curve, at rest: f has to come from the state. Divided by the rate of density, the first evaluation fails: effect
-/// `strength` makes a rate of deviatoric_stress that is no number.
+/// `strength` makes a rate of deviatoric_stress that is not finite.
 #[test]
 fn no_rate_of_density() {
     ranks(1, "hard_pores::no_rate_of_density", |comm| {

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use sph_mpi::domain::comm::Comm;
 use sph_mpi::exact::State;
-use sph_mpi::exact::compaction::Sponge;
+use sph_mpi::exact::compaction::PorousMedium;
 use sph_mpi::exact::shock::Medium;
 use sph_mpi::material::MaterialTable;
 use sph_mpi::step::diagnostics::Totals;
@@ -64,12 +64,12 @@ fn medium(material: &MaterialTable) -> Medium {
     Medium { law: material.eos.law(), density: material.reference_density().expect("a solid"), internal_energy: 0.0 }
 }
 
-/// The velocity of the contact when basalt at `speed` meets a sponge at rest, m/s.
-fn contact(basalt: &Medium, sponge: &Sponge, speed: f64) -> f64 {
+/// The velocity of the contact when basalt at `speed` meets porous matter at rest, m/s.
+fn contact(basalt: &Medium, porous: &PorousMedium, speed: f64) -> f64 {
     let (mut low, mut high) = (1e-3 * speed, (1.0 - 1e-3) * speed);
     while high - low > 1e-9 * speed {
         let u = 0.5 * (low + high);
-        let pushed = sponge.piston(u).expect("a compaction wave").front.behind.stress;
+        let pushed = porous.piston(u).expect("a compaction wave").front.behind.stress;
         if basalt.shock(speed - u).expect("a shock").behind.stress > pushed { low = u } else { high = u }
     }
     high
@@ -77,7 +77,7 @@ fn contact(basalt: &Medium, sponge: &Sponge, speed: f64) -> f64 {
 
 /// alpha_0 = 4.64, hit by basalt at 3 km/s: the matrix gets so hot that it ends thinner than without load. With distention by its
 /// rate (Jutzi et al. 2008, eqs 24-25) instead of the crush curve itself, the pressure behind the shock was 1.5 times as high as it
-/// should be, the density 0.53, and alpha 3.3. With viscosity that goes by the speed of further compression instead of sound, P
+/// should be, the density 0.53, and alpha 3.3. With viscosity that uses the speed of further compression instead of sound, P
 /// is 1.26 times and the density 1.07 times as high as it should be.
 #[test]
 fn pumice_hit_at_three_kilometres_per_second() {
@@ -86,9 +86,9 @@ fn pumice_hit_at_three_kilometres_per_second() {
             [plate("flyer", "basalt", [-1.0 - APART, -APART], 3e3), plate("pumice", "pumice", [0.0, 1.0], 0.0)];
         let mut hand = ByHand::<2>::new(&strip("Pumice is hit", &bodies, PUMICE), comm, |_| {});
         let before = hand.stepper.totals();
-        let sponge = Sponge::of(material(&hand, "pumice"), 4.64).expect("porous matter");
-        let u = contact(&medium(material(&hand, "flyer")), &sponge, 3e3);
-        let wave = sponge.piston(u).expect("a compaction wave").front;
+        let porous = PorousMedium::of(material(&hand, "pumice"), 4.64).expect("porous matter");
+        let u = contact(&medium(material(&hand, "flyer")), &porous, 3e3);
+        let wave = porous.piston(u).expect("a compaction wave").front;
         let time = 0.7 / wave.speed;
         hand.run(time + APART / 3e3, |_| {});
         let crushed = (wave.speed - u) * time;
@@ -124,8 +124,8 @@ fn pressure_crosses_the_crush_curve_in_one_step() {
         let bodies = [plate("column", "aluminium", [-0.1, 1.6], 0.0)];
         let mut hand = ByHand::<2>::new(&strip("A steep crush curve", &bodies, &more), comm, |_| {});
         let before = hand.stepper.totals();
-        let sponge = Sponge::of(material(&hand, "column"), 1.275).expect("porous matter");
-        let wave = sponge.piston(speed).expect("a compaction wave").front;
+        let porous = PorousMedium::of(material(&hand, "column"), 1.275).expect("porous matter");
+        let wave = porous.piston(speed).expect("a compaction wave").front;
         let time = 1.3 / wave.speed;
         // What one step would make of P if no pore gave way, over P_s - P_e.
         let mut leap = 0.0f64;
@@ -164,10 +164,10 @@ fn crushed_matter_expands_into_vacuum() {
             [plate("left", "sponge", [-0.3 - APART, -APART], 1.5e3), plate("right", "sponge", [0.0, 0.3], -1.5e3)];
         let mut hand = ByHand::<2>::new(&strip("Crushed and let go", &bodies, SPONGE), comm, |_| {});
         let before = hand.stepper.totals();
-        let sponge = Sponge::of(material(&hand, "left"), 3.0).expect("porous matter");
-        let shock = sponge.piston(1.5e3).expect("a compaction wave").front;
+        let porous = PorousMedium::of(material(&hand, "left"), 3.0).expect("porous matter");
+        let shock = porous.piston(1.5e3).expect("a compaction wave").front;
         let State { density, internal_energy, .. } = shock.behind;
-        let matrix = Medium { law: sponge.matter.eos, density, internal_energy };
+        let matrix = Medium { law: porous.matter.eos, density, internal_energy };
         let release = matrix.release(&shock.behind).expect("a release");
         let surface = release.velocity - 1.5e3;
         let (mut least, mut reopened) = (f64::MAX, 0.0f64);
@@ -197,7 +197,7 @@ fn crushed_matter_expands_into_vacuum() {
     });
 }
 
-/// What a shock through basalt, a sponge of a fifth of its density and basalt again leaves.
+/// What a shock through basalt, porous matter of a fifth of its density and basalt again leaves.
 struct Sandwich {
     /// Mean pressure on the near and on the far side of the first contact behind the first shock, over that of the shock.
     first: [f64; 2],
@@ -217,9 +217,9 @@ fn sandwich(changes: &[&str], comm: &Comm) -> Sandwich {
     let text = strip("Porous beside solid", &bodies, SPONGE);
     let mut hand = ByHand::<2>::with(&text, changes, comm, |_, _, _| {});
     let before = hand.stepper.totals();
-    let sponge = Sponge::of(material(&hand, "sponge"), 5.0).expect("porous matter");
-    let u = contact(&medium(material(&hand, "flyer")), &sponge, 1e3);
-    let wave = sponge.piston(u).expect("a compaction wave").front;
+    let porous = PorousMedium::of(material(&hand, "sponge"), 5.0).expect("porous matter");
+    let u = contact(&medium(material(&hand, "flyer")), &porous, 1e3);
+    let wave = porous.piston(u).expect("a compaction wave").front;
     let h = hand.stepper.settings.view.constants[0].smoothing_length;
     let mut deepest = f64::MIN;
     let mut reach = |hand: &mut ByHand<2>, time: f64| {

@@ -188,8 +188,8 @@ fn wishes_that_make_no_sense() {
     let scene = format!("dimension = 2\n{ball}[run]\nuntil = 1\nsteps = 1\n");
     for (args, (variable, value), says) in [
         (&["--threads", "9999"][..], ("X", ""), ["--threads: 9999 threads on ", "allowed: 1 to "]),
-        (&[], ("SPH_MPI_SIMD", "sse9"), ["SPH_MPI_SIMD: `sse9` is no instruction set", "portable, avx2, avx512"]),
-        (&[], ("SPH_MPI_FAULT", "nonsense"), ["SPH_MPI_FAULT: `nonsense` is no fault", "KIND:RANK:STEP"]),
+        (&[], ("SPH_MPI_SIMD", "sse9"), ["SPH_MPI_SIMD: `sse9` is not an instruction set", "portable, avx2, avx512"]),
+        (&[], ("SPH_MPI_FAULT", "nonsense"), ["SPH_MPI_FAULT: `nonsense` is not a fault", "KIND:RANK:STEP"]),
         (&[], ("SPH_MPI_FAULT", "panic:0:5:6"), ["SPH_MPI_FAULT: `panic:0:5:6`", "KIND:RANK:STEP"]),
     ] {
         for check in [&[][..], &["--check"]] {

@@ -6,7 +6,7 @@ use sph_mpi::math::lanes::Width;
 use sph_mpi::pair::artificial_stress;
 use sph_mpi::pair::record::{PressureGradient, StressTerm, TensorGradient, ViscousTerm, half, set_half};
 use sph_mpi::pair::rows::Constants;
-use sph_mpi::pair::{Layout, PairLoop, RowSums, Rows, Terms, torque};
+use sph_mpi::pair::{Layout, PairLoop, RowSums, Rows, Terms, angular_momentum};
 use sph_mpi::random::uniform;
 
 /// A random cloud, every particle a neighbour of every other.
@@ -274,8 +274,8 @@ fn work(layout: &Layout, record: &[f64], s: &RowSums) -> f64 {
     let w: Vec<f64> = (0..layout.axial_words()).map(|k| half(record, layout.axial() + k)).collect();
     let diagonal = match w.len() {
         0 => diagonal,
-        1 => diagonal + torque::heating::<2>(&w, g),
-        _ => diagonal + torque::heating::<3>(&w, g),
+        1 => diagonal + angular_momentum::heating::<2>(&w, g),
+        _ => diagonal + angular_momentum::heating::<3>(&w, g),
     };
     if !layout.terms.tensor() {
         diagonal

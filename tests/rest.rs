@@ -89,8 +89,8 @@ fn a_rubble_pile_keeps_still() {
 /// those of this one. Without the antisymmetric stress a thousandth
 /// of all single torques is left, as much as random stresses leave that nothing correlates.
 #[test]
-fn forces_exert_no_torque() {
-    ranks(1, "rest::forces_exert_no_torque", |comm| {
+fn forces_conserve_angular_momentum() {
+    ranks(1, "rest::forces_conserve_angular_momentum", |comm| {
         fn torque<const D: usize>(change: &str, comm: &Comm) -> f64 {
             let text = format!(
                 "dimension = {D}\n[[body]]\nname = \"ball\"\nshape = {{ sphere = {{ radius = 1 }} }}\nmaterial = \"basalt\"\n\

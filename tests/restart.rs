@@ -217,7 +217,7 @@ fn where_to_write() {
     assert!(
         at("link").is_symlink() && at("scratch/run.1/summary.json").exists() && at("scratch/run/summary.json").exists()
     );
-    refused(dir.path(), &["impact.toml", "--out", "impact.toml"], &["a file stands here"]);
+    refused(dir.path(), &["impact.toml", "--out", "impact.toml"], &["a file of this name exists"]);
     assert_eq!(names(dir.path()), ["empty", "empty.1", "here", "impact.toml", "link", "mine", "proj", "scratch"]);
 }
 

@@ -226,6 +226,6 @@ fn density_that_is_not_mass_over_volume_is_found() {
         let found = hand.stepper.packing()[0];
         assert_eq!((found.alone, found.off()), (1, 1), "{found:?}");
         hand.stepper.release_buffers();
-        assert_eq!(hand.stepper.packing()[0].told(), 0);
+        assert_eq!(hand.stepper.packing()[0].judged(), 0);
     });
 }

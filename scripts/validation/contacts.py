@@ -26,7 +26,7 @@ CURES = {
     "gas_clouds_meet": "the same",
     "spacecraft_on_moonlet": "the narrower kernel of a pair counts as two thirds of the wider at least (`src/pair/rows.rs`)",
     "unequal_particles": "the same",
-    "slow_balls": "forces without torque are the default of solids (`src/pair/torque.rs`)",
+    "slow_balls": "forces without torque are the default of solids (`src/pair/angular_momentum.rs`)",
     "iron_into_ice": "both, and a density contrast by default (`src/pair/contrast.rs`)",
     "large_planet": "it starts with the energy of its compression (`src/scene/isentrope.rs`)",
     "spinning_pile": "gravity between evaluations follows the particles (`src/gravity/attraction.rs`)",

@@ -18,7 +18,7 @@ use crate::step::Stepper;
 use pictures::Pictures;
 use solution::Reference;
 
-/// What a run compares itself with, and what it has noted on its way.
+/// The exact solution that a run is compared with.
 pub struct Comparison {
     reference: Reference,
     title: String,
@@ -44,16 +44,18 @@ impl Comparison {
         Ok(Some(Self { reference, title: scene.title.clone() }))
     }
 
-    /// How far the vibration is out, where one is watched, or how fast what should rest moves; (time, amplitude). Collective.
+    /// Time, s, and the amplitude of a vibration or the speed of matter that should be at rest; `None` for other solutions.
+    /// Collective.
     pub fn sample<const D: usize>(&self, stepper: &Stepper<D>, time: f64, comm: &Comm) -> Option<[f64; 2]> {
         match &self.reference {
-            Reference::Swing(swing) => Some([time, signal::amplitude(swing, stepper, comm)]),
+            Reference::Vibration(vibration) => Some([time, signal::amplitude(vibration, stepper, comm)]),
             Reference::Rest(rest) => Some([time, rest::speed(rest, stepper, comm)]),
-            Reference::Profile(_) | Reference::Turn(_) => None,
+            Reference::Profile(_) | Reference::Rotation(_) => None,
         }
     }
 
-    /// Errors by name, and figures into the directory where asked for. Collective.
+    /// Errors by name, and figures into the directory if there is one. `angular`: drift of angular momentum; `samples`: what
+    /// [`Comparison::sample`] gave. Collective.
     pub fn finish<const D: usize>(
         &self,
         stepper: &Stepper<D>,
@@ -65,10 +67,10 @@ impl Comparison {
         let pictures = directory.map(|directory| Pictures { title: &self.title, directory });
         match &self.reference {
             Reference::Profile(profile) => profile::compare(profile, stepper, time, pictures, comm),
-            Reference::Swing(swing) => signal::compare(swing, samples, pictures, comm),
+            Reference::Vibration(vibration) => signal::compare(vibration, samples, pictures, comm),
             Reference::Rest(rest) => rest::compare(rest, stepper, samples, pictures, comm),
-            Reference::Turn(turn) => {
-                let turns = turn.spin * time / (2.0 * std::f64::consts::PI);
+            Reference::Rotation(rotation) => {
+                let turns = rotation.spin * time / (2.0 * std::f64::consts::PI);
                 let named = |name: &str, value| (name.to_string(), value);
                 Ok(Figures(vec![
                     named("angular_momentum", angular_momentum),

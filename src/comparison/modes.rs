@@ -3,7 +3,7 @@
 use super::elastic::elastic;
 use crate::error::{Error, Result};
 use crate::exact::vibration::{self, Mode as Exact};
-use crate::motion::Motion;
+use crate::motion::PrescribedMotion;
 use crate::scene::{Body, BodyShape, Scene, VibrationMode};
 
 /// A mode of one body.
@@ -14,9 +14,9 @@ pub struct ModeShape {
     dimension: usize,
     /// Where a bar is held, relative to the centre, m.
     clamp: f64,
-    /// Velocity of an amplitude of 1 where it is largest, so that amplitudes are largest speeds.
+    /// Largest velocity of the unscaled mode: divided by it, amplitudes are largest speeds.
     scale: f64,
-    /// rad/s.
+    /// Angular frequency, rad/s.
     pub frequency: f64,
 }
 
@@ -38,7 +38,7 @@ impl ModeShape {
                 let fixed = scene
                     .layers
                     .iter()
-                    .filter(|layer| layer.motion == Motion::Prescribed([0.0; 3]) && layer.outer.is_none());
+                    .filter(|layer| layer.motion == PrescribedMotion::Prescribed([0.0; 3]) && layer.outer.is_none());
                 let held = fixed.map(|layer| layer.region.high[0] - body.centre[0]);
                 clamp = held.fold(-0.5 * size[0], f64::max);
                 vibration::clamped_plate(&solid, 0.5 * size[0] - clamp, size[1], 1)?

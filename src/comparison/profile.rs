@@ -26,7 +26,7 @@ const FIELDS: [(&str, &str); 5] =
     [("density", "kg/m^3"), ("velocity", "m/s"), ("stress", "Pa"), ("internal_energy", "J/kg"), ("distention", "")];
 const FIELD_COUNT: usize = FIELDS.len();
 
-/// Points at which the solution is looked at.
+/// Points at which the solution is evaluated.
 const POINTS: usize = 4001;
 /// Particles in a figure, about.
 const SHOWN: f64 = 3000.0;
@@ -194,7 +194,7 @@ fn found(compared: &Compared) -> Vec<Feature> {
         let [(a, behind), (b, ahead)] = [pair[0], pair[1]];
         let jumps = (behind.density - ahead.density).abs() > 0.02 * densest
             || (behind.velocity - ahead.velocity).abs() > 0.02 * fastest;
-        // Neighbouring points of the solution, not ends of a stretch where it is nothing.
+        // Neighbouring points of the solution, not ends of a stretch where it is undefined.
         if jumps && b - a < 1.5 * step {
             features.push(Feature::Front { at: 0.5 * (a + b), behind, ahead });
         }
@@ -234,7 +234,7 @@ fn features(compared: &Compared, margin: f64, comm: &Comm) -> Vec<(String, f64)>
     errors
 }
 
-/// Means by mass of all fields between two places; `None` where there is nothing. Collective.
+/// Means by mass of all fields between two places; `None` where there is no particle. Collective.
 fn means(samples: &[Sample], low: f64, high: f64, comm: &Comm) -> Option<[f64; FIELD_COUNT]> {
     let mut sums = vec![ExactSum::new(); FIELD_COUNT + 1];
     for p in samples.iter().filter(|p| (low..=high).contains(&p.s)) {
@@ -280,7 +280,7 @@ fn draw(compared: &Compared, pictures: Pictures, comm: &Comm) -> Result<()> {
     let mut count = [samples.len() as i64];
     comm.all_sum(&mut count);
     let share = SHOWN / count[0].max(1) as f64;
-    // Drawn by number among a rank's own: which particles are shown says nothing about the run.
+    // A random sample by the rank's own numbering: it depends on ranks, but only in the picture.
     let shown = samples.iter().zip(0u64..).filter(|(_, k)| uniform_pair(comm.rank() as u64, *k, 0)[0] < share);
     let words: Vec<u64> =
         shown.flat_map(|(p, _)| [p.s].into_iter().chain(fields(&p.state)).map(f64::to_bits)).collect();

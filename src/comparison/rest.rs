@@ -1,10 +1,10 @@
-//! Matter that has nothing to do but to rest under its weight.
+//! Matter that should rest under its own weight.
 //!
 //! ```text
-//! speed          sqrt(sum m v^2 / sum m) / v_ff      now, over particles that nothing holds
+//! speed          sqrt(sum m v^2 / sum m) / v_ff      now, over particles without prescribed motion
 //! speed_largest  the largest of it, once nothing damps motion any more and `after` has passed
 //! pressure       mean by volume in one of ten stretches of depth, less the exact one: the worst, over the exact one at the bottom
-//! pressure_rms   the same of single particles, their mean square
+//! pressure_rms   root mean square of the errors of single particles
 //! ```
 //! v_ff is the speed of free fall, sqrt(G M / R) of a ball under its own gravity (M all mass, R the largest body's radius) and
 //! sqrt(g H) under uniform gravity (H the height of the tallest body). The exact pressure is 2/3 pi G rho^2 (R^2 - r^2) in a ball, and
@@ -17,7 +17,7 @@ use crate::error::Result;
 use crate::gravity::G;
 use crate::material::strength::DEVIATORIC_STRESS;
 use crate::math::{Deviator, ExactSum, Vec3};
-use crate::motion::Motion;
+use crate::motion::PrescribedMotion;
 use crate::output::figures::curves::{Axis, Figure, Mark, Series};
 use crate::output::on_root;
 use crate::output::summary::Figures;
@@ -27,28 +27,28 @@ use crate::step::Stepper;
 /// Stretches of depth.
 const STRETCHES: usize = 10;
 
-/// What rests, and how.
+/// The equilibrium that matter should keep.
 pub struct Rest {
     /// v_ff, m/s.
     pub fall: f64,
-    /// From when on motion counts, s.
+    /// Motion counts from this time on, s.
     settled: f64,
     field: Option<Field>,
 }
 
 /// Pressures that are known.
 enum Field {
-    /// Of a body: centre, radius, m, and pressure in the middle, Pa.
+    /// Centre, radius, m, and pressure at the centre, Pa.
     Ball { centre: Vec3, radius: f64, most: f64 },
     /// Axis across the face, its height, thickness, m, and pressure at the bottom, Pa.
     Ground { up: usize, face: f64, thickness: f64, most: f64 },
 }
 
 impl Rest {
-    /// Of a scene with gravity; `None` without. `after`: when motion begins to count, s.
+    /// `None` for a scene without gravity. `after`: when motion begins to count, s.
     pub fn new(scene: &Scene, after: f64) -> Option<Self> {
         let up = scene.dimension - 1;
-        let free = || scene.bodies.iter().filter(|body| !matches!(body.motion, Motion::Prescribed(_)));
+        let free = || scene.bodies.iter().filter(|body| !matches!(body.motion, PrescribedMotion::Prescribed(_)));
         let fall = match (scene.gravity.own, scene.gravity.uniform) {
             (Some(_), _) => {
                 let radius = free().map(|body| body.shape.outer_radius()).fold(0.0, f64::max);
@@ -62,7 +62,7 @@ impl Rest {
         };
         let motions = scene.bodies.iter().map(|body| body.motion).chain(scene.layers.iter().map(|layer| layer.motion));
         let ends = motions.filter_map(|motion| match motion {
-            Motion::Damped { until, .. } => Some(until.unwrap_or(f64::INFINITY)),
+            PrescribedMotion::Damped { until, .. } => Some(until.unwrap_or(f64::INFINITY)),
             _ => None,
         });
         let field = match &scene.bodies[..] {
@@ -74,7 +74,7 @@ impl Rest {
 }
 
 impl Field {
-    /// Of a body that starts under its weight.
+    /// The pressure in a body that starts under its weight.
     fn of(body: &Body, scene: &Scene) -> Self {
         let up = body.dimension - 1;
         if let BodyShape::Box { size } = body.shape {
@@ -107,7 +107,7 @@ impl Field {
         }
     }
 
-    /// What bears the weight, from a particle's pressure and deviator, Pa.
+    /// The stress that bears the weight, from a particle's pressure and deviator, Pa.
     fn borne(&self, pressure: f64, s: &Deviator) -> f64 {
         match self {
             Self::Ball { .. } => pressure,
@@ -154,7 +154,7 @@ pub fn compare<const D: usize>(
 fn pressures<const D: usize>(field: &Field, stepper: &Stepper<D>, comm: &Comm) -> Vec<(String, f64)> {
     let (columns, settings) = (&stepper.columns, &stepper.settings);
     let deviator = columns.registry.find::<Deviator>(DEVIATORIC_STRESS);
-    // Of each stretch: V, V (P - P exact); of all: (P - P exact)^2, number.
+    // Per stretch: V, V (P - P exact); then over all particles: (P - P exact)^2, number.
     let mut sums = vec![ExactSum::new(); 2 * STRETCHES + 2];
     for i in 0..columns.len() {
         let (depth, exact) = field.at(&columns.get(settings.view.core.position, i));

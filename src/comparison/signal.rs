@@ -9,7 +9,7 @@
 use std::f64::consts::PI;
 
 use super::pictures::Pictures;
-use super::solution::Swing;
+use super::solution::Vibration;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::math::{ExactSum, Vec3};
@@ -19,12 +19,12 @@ use crate::output::summary::Figures;
 use crate::step::Stepper;
 
 /// q now, m/s. Collective.
-pub fn amplitude<const D: usize>(swing: &Swing, stepper: &Stepper<D>, comm: &Comm) -> f64 {
+pub fn amplitude<const D: usize>(vibration: &Vibration, stepper: &Stepper<D>, comm: &Comm) -> f64 {
     let (columns, settings) = (&stepper.columns, &stepper.settings);
     let mut sums = [ExactSum::new(), ExactSum::new()];
-    let mass = settings.view.constants[swing.body].particle_mass;
-    for i in (0..columns.len()).filter(|&i| columns.get(settings.view.core.id, i).body() == swing.body) {
-        let shape = Vec3::from((swing.shape)(columns.get(settings.view.core.position, i).into()));
+    let mass = settings.view.constants[vibration.body].particle_mass;
+    for i in (0..columns.len()).filter(|&i| columns.get(settings.view.core.id, i).body() == vibration.body) {
+        let shape = Vec3::from((vibration.shape)(columns.get(settings.view.core.position, i).into()));
         sums[0].add(mass * columns.get(settings.view.core.velocity, i).dot(&shape));
         sums[1].add(mass * shape.norm_squared());
     }
@@ -37,7 +37,7 @@ pub fn amplitude<const D: usize>(swing: &Swing, stepper: &Stepper<D>, comm: &Com
 struct Fit {
     frequency: f64,
     decay: f64,
-    /// Of cosine and sine.
+    /// Amplitudes of cosine and sine, m/s.
     parts: [f64; 2],
     residual: f64,
 }
@@ -85,30 +85,35 @@ impl Fit {
 }
 
 /// The errors, and a figure. Collective; all ranks give the same samples.
-pub fn compare(swing: &Swing, samples: &[[f64; 2]], pictures: Option<Pictures>, comm: &Comm) -> Result<Figures> {
+pub fn compare(
+    vibration: &Vibration,
+    samples: &[[f64; 2]],
+    pictures: Option<Pictures>,
+    comm: &Comm,
+) -> Result<Figures> {
     let span = samples.last().map_or(0.0, |last| last[0]);
-    if samples.len() < 8 || span * swing.frequency < 0.5 * PI {
+    if samples.len() < 8 || span * vibration.frequency < 0.5 * PI {
         return Err(Error::new(format!("{} samples over {span:e} s show no vibration", samples.len()))
             .allowed("a run of a quarter of a period or more, output.history_every small enough for 8 samples"));
     }
-    let fit = Fit::best(samples, swing.frequency);
+    let fit = Fit::best(samples, vibration.frequency);
     if let Some(pictures) = pictures {
-        let draw = || draw(swing, &fit, samples, pictures);
+        let draw = || draw(vibration, &fit, samples, pictures);
         on_root(comm, draw)?;
     }
     let errors = [
-        ("frequency", fit.frequency / swing.frequency - 1.0),
+        ("frequency", fit.frequency / vibration.frequency - 1.0),
         ("damping", fit.decay / fit.frequency),
-        ("amplitude", fit.parts[0] / swing.speed - 1.0),
+        ("amplitude", fit.parts[0] / vibration.speed - 1.0),
     ];
     Ok(Figures(errors.map(|(name, value)| (name.to_string(), value)).to_vec()))
 }
 
-fn draw(swing: &Swing, fit: &Fit, samples: &[[f64; 2]], pictures: Pictures) -> Result<()> {
+fn draw(vibration: &Vibration, fit: &Fit, samples: &[[f64; 2]], pictures: Pictures) -> Result<()> {
     let span = samples.last().map_or(0.0, |last| last[0]);
     let times = (0..=1000).map(|k| 1e-3 * k as f64 * span);
     let series = |label: &str, points, mark| Series { label: label.into(), points, errors: Vec::new(), mark };
-    let exact = times.clone().map(|t| (t, swing.speed * libm::cos(swing.frequency * t))).collect();
+    let exact = times.clone().map(|t| (t, vibration.speed * libm::cos(vibration.frequency * t))).collect();
     let axis = |label: &str| Axis { label: label.into(), logarithmic: false };
     let figure = Figure {
         title: pictures.title.to_string(),

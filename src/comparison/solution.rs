@@ -4,30 +4,30 @@ use super::elastic::elastic;
 use super::modes::ModeShape;
 use super::rest::Rest;
 use crate::error::{Error, Result};
-use crate::exact::compaction::Sponge;
+use crate::exact::compaction::PorousMedium;
 use crate::exact::piston::{Piston, Solid};
 use crate::exact::riemann::{Gas, Riemann};
 use crate::exact::shock::{Impact, Medium};
 use crate::exact::{State, noh::Noh, sedov::Sedov};
 use crate::material::MaterialTable;
 use crate::material::eos::EosTable;
-use crate::motion::Motion;
+use crate::motion::PrescribedMotion;
 use crate::scene::{Body, BodyShape, ComparisonSettings, Flow, Layer, Scene, Solution};
 
 /// A solution ready to be compared with.
 pub enum Reference {
     Profile(Profile),
-    Swing(Swing),
-    Turn(Turn),
+    Vibration(Vibration),
+    Rotation(Rotation),
     Rest(Rest),
 }
 
-/// A solution along a coordinate; fields that are no numbers do not count.
+/// A solution along a coordinate; fields that are not finite do not count.
 pub struct Profile {
     pub place: Place,
     /// Coordinates that count, m, as the scene counts them.
     pub within: [f64; 2],
-    /// Where only what is near the axis counts: the largest distance from the coordinate's axis, m.
+    /// Only particles within this distance from the coordinate's axis count, m; `None` counts all.
     pub core: Option<f64>,
     /// State at a coordinate (m) and a time (s).
     pub at: Box<dyn Fn(f64, f64) -> State + Sync>,
@@ -35,7 +35,7 @@ pub struct Profile {
     pub origin: f64,
 }
 
-/// What a coordinate measures.
+/// The meaning of a coordinate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Place {
     /// Along this axis; the velocity that counts is that along `moves`.
@@ -45,9 +45,9 @@ pub enum Place {
 }
 
 /// A vibration of one body.
-pub struct Swing {
+pub struct Vibration {
     pub body: usize,
-    /// The shape: velocity at a place, m, of a swing of amplitude 1.
+    /// Velocity at a place, m, of a vibration of amplitude 1.
     pub shape: Box<dyn Fn([f64; 3]) -> [f64; 3] + Sync>,
     /// rad/s.
     pub frequency: f64,
@@ -55,8 +55,8 @@ pub struct Swing {
     pub speed: f64,
 }
 
-/// A turning body.
-pub struct Turn {
+/// A rotating body.
+pub struct Rotation {
     /// rad/s.
     pub spin: f64,
 }
@@ -81,13 +81,13 @@ pub fn of(scene: &Scene, compare: &ComparisonSettings) -> Result<Reference> {
         }
         Solution::Impact => impact(scene, within, false).map(Reference::Profile),
         Solution::Release => impact(scene, within, true).map(Reference::Profile),
-        Solution::StandingWave => standing_wave(scene).map(Reference::Swing),
-        Solution::Vibration => vibration(scene).map(Reference::Swing),
+        Solution::StandingWave => standing_wave(scene).map(Reference::Vibration),
+        Solution::Vibration => vibration(scene).map(Reference::Vibration),
         Solution::Rest => Rest::new(scene, compare.after).map(Reference::Rest).ok_or_else(|| needs("gravity")),
         Solution::Rotation => {
             let spin = |body: &Body| body.spin.iter().map(|w| w * w).sum::<f64>().sqrt();
             let spin = scene.bodies.iter().map(spin).fold(0.0, f64::max);
-            if spin > 0.0 { Ok(Reference::Turn(Turn { spin })) } else { Err(needs("a body with a spin")) }
+            if spin > 0.0 { Ok(Reference::Rotation(Rotation { spin })) } else { Err(needs("a body with a spin")) }
         }
     }
 }
@@ -160,11 +160,11 @@ fn implosion(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
     Ok(Profile { place: Place::Radius(body.centre), within, core: None, at, origin: 0.0 })
 }
 
-/// The face of what moves is where its layer ends; the solid lies beyond, where the piston goes.
+/// The face of the piston is where its layer ends; the solid lies beyond, in the direction of its motion.
 fn piston(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
     // Axis and speed along it.
-    let moving = |motion: &Motion| {
-        let Motion::Prescribed(v) = motion else { return None };
+    let moving = |motion: &PrescribedMotion| {
+        let PrescribedMotion::Prescribed(v) = motion else { return None };
         let mut given = (0..3).filter(|&axis| v[axis] != 0.0);
         let axis = given.next().filter(|_| given.next().is_none())?;
         Some((axis, v[axis]))
@@ -184,9 +184,9 @@ fn piston(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
     let driven = driven.ok_or_else(|| needs("a body that is driven"))?;
     let driven_material = material(scene, driven);
     let face = if speed > 0.0 { faces[1] } else { faces[0] };
-    let solution = match Sponge::of(driven_material, driven.distention) {
+    let solution = match PorousMedium::of(driven_material, driven.distention) {
         Some(_) if driven_material.has_strength() => return Err(needs("a porous solid without strength")),
-        Some(sponge) => sponge.piston(speed.abs())?,
+        Some(medium) => medium.piston(speed.abs())?,
         None => Piston::new(&Solid::of(driven_material).ok_or_else(|| needs("a solid"))?, speed.abs())?,
     };
     if driven_material.has_friction() {
@@ -196,7 +196,7 @@ fn piston(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
     let at = Box::new(move |x: f64, t: f64| {
         let x = side * (x - face);
         let state = solution.at(x, t);
-        // What is behind the face is the piston.
+        // The piston is behind the face.
         if x < speed.abs() * t { NOTHING } else { State { velocity: side * state.velocity, ..state } }
     });
     Ok(Profile { place: Place::Axis { along, moves: along }, within, core: None, at, origin: face })
@@ -250,7 +250,7 @@ fn impact(scene: &Scene, within: [f64; 2], released: bool) -> Result<Profile> {
     Ok(Profile { place: ALONG_X, within, core: None, at, origin: face })
 }
 
-fn standing_wave(scene: &Scene) -> Result<Swing> {
+fn standing_wave(scene: &Scene) -> Result<Vibration> {
     let found = scene.bodies.iter().position(|body| matches!(body.flow, Some(Flow::Wave { .. })));
     let number = found.ok_or_else(|| needs("a body with flow.wave"))?;
     let body = &scene.bodies[number];
@@ -261,10 +261,10 @@ fn standing_wave(scene: &Scene) -> Result<Swing> {
     let flow = Flow::Wave { along, moves, wavelength, speed: 1.0 };
     let shape =
         Box::new(move |x: [f64; 3]| flow.velocity(std::array::from_fn(|k| x[k] - centre[k])).unwrap_or_default());
-    Ok(Swing { body: number, shape, frequency: 2.0 * std::f64::consts::PI * sound / wavelength, speed })
+    Ok(Vibration { body: number, shape, frequency: 2.0 * std::f64::consts::PI * sound / wavelength, speed })
 }
 
-fn vibration(scene: &Scene) -> Result<Swing> {
+fn vibration(scene: &Scene) -> Result<Vibration> {
     let found = scene.bodies.iter().position(|body| matches!(body.flow, Some(Flow::Mode { .. })));
     let number = found.ok_or_else(|| needs("a body with flow.mode"))?;
     let body = &scene.bodies[number];
@@ -272,5 +272,5 @@ fn vibration(scene: &Scene) -> Result<Swing> {
     let mode = ModeShape::new(scene, body, shape)?;
     let (centre, frequency) = (body.centre, mode.frequency);
     let shape = Box::new(move |x: [f64; 3]| mode.velocity(std::array::from_fn(|k| x[k] - centre[k])));
-    Ok(Swing { body: number, shape, frequency, speed })
+    Ok(Vibration { body: number, shape, frequency, speed })
 }

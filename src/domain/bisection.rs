@@ -1,11 +1,11 @@
-//! Orthogonal recursive bisection over cost: a box is cut across its longest side so that the costs on both sides stand like
-//! the numbers of parts they will be cut into, for any number of parts (Berger and Bokhari 1987, IEEE
+//! Orthogonal recursive bisection over cost: a box is cut across its longest side so that the costs on both sides are in
+//! proportion to the numbers of parts they will be cut into, for any number of parts (Berger and Bokhari 1987, IEEE
 //! Trans. Comput. C-36, 570).
 //! Planes are found by histograms: no rank ever sees another's particles, costs are integers, so that sums are exact, and
 //! all boxes of one depth share their collectives.
 //!
-//! A plane lies on a fine lattice of the box it cuts. Particles on a lattice of their own stand in whole layers that no plane
-//! could part, so a plane orders them by the other coordinates too: it cuts a layer along a line, and a line at a point.
+//! A plane lies on a fine lattice of the box it cuts. Particles on a lattice of their own lie in whole layers that no plane
+//! could divide, so a plane orders them by the other coordinates too: it cuts a layer along a line, and a line at a point.
 
 use super::comm::Comm;
 use crate::particles::curve::BITS;
@@ -118,7 +118,7 @@ impl<const D: usize> Bisection<D> {
         if parts > 1 {
             tree.open(&mut open, 0, parts);
         }
-        // Where each particle stands among the open boxes; none once its part is known.
+        // Number of the open box that holds each particle; none once its part is known.
         let mut members: Vec<Option<u32>> = vec![(parts > 1).then_some(0); positions.len()];
         while !open.is_empty() {
             let particles = Sought { positions, costs, members: &members };

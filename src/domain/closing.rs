@@ -1,23 +1,23 @@
-//! How long matter that is not in touch yet needs until it is. The Courant condition knows sound, and the approach of pairs inside
-//! their supports; what is fast and soft could fly into other matter, or through it, within one of its steps. With the blocks of
-//! 3^D cells of [`watch`](super::watch), W the largest velocity at which matter of a block may close on other matter of it, C the
-//! Courant number:
+//! Limits the time step where matter approaches other matter that is not in contact yet. The Courant condition covers sound, and
+//! the approach of pairs inside their supports; fast, soft matter could move into other matter, or through it, within one step.
+//! With the blocks of 3^D cells of [`watch`](super::watch), W the largest velocity at which matter of a block may approach other
+//! matter of it, C the Courant number:
 //!
 //! ```text
 //! particles of the block's own level:          W dt <= C h              h: the smallest of them
 //! finer ones that no block of theirs holds:    W dt <= 2 S - d - s      S: side of the cells one level below, d: how far they have
-//!                                                                       come since the lists were built, s: their largest support
-//! all that no block holds:                     W dt <= 2 S - d - s      S: side of the widest cells watched; d, s: of everything,
+//!                                                                       moved since the lists were built, s: their largest support
+//! all that no block holds:                     W dt <= 2 S - d - s      S: side of the widest cells watched; d, s: of all particles,
 //!                                                                       W: the largest relative velocity of any two
 //! W^2 = sum over axes k of w_k^2,   w_k = max over a <= b of (max v_k in layer a  -  min v_k in layer b)
 //! ```
 //!
 //! Layers are halves of cells, numbered along the axis: of two particles in different layers only the approach counts, of two in one
-//! layer their relative velocity. What expands is so limited by the velocities within half a cell alone. As two sides were between
-//! particles that no block holds (see there), a pair comes by C h into its supports at most before its forces are known; particles
-//! that have passed each other since the lists were built stand in the wrong order, but they are in them.
+//! layer their relative velocity. Expanding matter is thus limited by the velocities within half a cell alone. As two sides were
+//! between particles that no block holds (see there), a pair overlaps by C h at most before its forces are known; particles that
+//! have passed each other since the lists were built are in the wrong order, but they are in the lists.
 //!
-//! Matter of which nothing moves by C h in a step at all need not be looked at. Extremes are exact, and the same on any ranks.
+//! Where no particle moves by C h in a step, nothing need be examined. Extremes are exact, and the same on any number of ranks.
 
 use rayon::prelude::*;
 
@@ -31,11 +31,11 @@ pub struct Moving<'a> {
     pub velocity: &'a [f64],
     /// The largest relative velocity of any two particles of all ranks, m/s.
     pub relative: f64,
-    /// Of an owned particle.
+    /// Id of an owned particle.
     pub id: &'a dyn Fn(usize) -> u64,
 }
 
-/// The longest step for all ranks, and who asks for it on this one.
+/// The longest step for all ranks, and the particle of this rank that limits it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Closing {
     /// s
@@ -45,7 +45,7 @@ pub struct Closing {
 }
 
 impl<const D: usize> Watch<D> {
-    /// The longest step in which nothing flies into each other unseen. Collective.
+    /// The longest step in which no two particles meet undetected. Collective.
     pub fn closing<S: Fn(usize) -> f64 + Sync>(
         &mut self,
         motion: &Displacements<'_, S>,
@@ -158,7 +158,7 @@ fn limit<const D: usize>(block: usize, cells: &AllCells<D>, courant: f64) -> f64
     if speed > 0.0 { own.min(gap) / speed } else { f64::INFINITY }
 }
 
-/// The largest velocity W at which matter in a block of cells may close on other matter in it, and -h of the smallest particle of
+/// The largest velocity W at which matter in a block of cells may approach other matter in it, and -h of the smallest particle of
 /// its level.
 fn approach<'a, const D: usize>(velocities: impl Iterator<Item = &'a CellVelocities<D>>, layers: &[u8]) -> (f64, f64) {
     let (mut forward, mut backward) = ([[f64::NEG_INFINITY; 6]; D], [[f64::NEG_INFINITY; 6]; D]);
@@ -167,7 +167,7 @@ fn approach<'a, const D: usize>(velocities: impl Iterator<Item = &'a CellVelocit
         smallest = smallest.max(velocities.smallest);
         for k in 0..D {
             let layer = (layers >> (2 * k) & 3) as usize;
-            // On both sides of everything.
+            // Matter of one layer may be on both sides of other matter.
             let around: &[usize] = if layer == 3 { &[0, 2] } else { &[layer] };
             for &layer in around {
                 for half in 0..2 {

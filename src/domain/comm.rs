@@ -1,4 +1,4 @@
-//! The only module that names MPI. Ranks talk through a handful of verbs; everything irregular goes through one sparse
+//! The only module that names MPI. Ranks communicate through a few operations; all irregular messages go through one sparse
 //! exchange. Minima, maxima and integer sums are the only reductions: no order of arrival can change them.
 
 use crate::math::ExactSum;
@@ -54,9 +54,9 @@ pub struct Comm {
     waited: Cell<f64>,
     waited_cpu: Cell<f64>,
     sent: Cell<u64>,
-    /// Whether waits end at once, as work that [`Overlapped`] goes on.
+    /// Whether waits return at once, as [`Overlapped`] continues the work later.
     overlaps: Cell<bool>,
-    /// What this rank gives to a reduction; kept, as steps do not allocate.
+    /// This rank's contribution to a reduction; kept, as steps do not allocate.
     mine: RefCell<Vec<u64>>,
     /// Hints for files; null where there are none.
     file_hints: Cell<ffi::MPI_Info>,
@@ -76,7 +76,7 @@ impl Comm {
             let default = std::panic::take_hook();
             std::panic::set_hook(Box::new(move |info| {
                 default(info);
-                // Where nobody listens any more, the job ends all the same.
+                // If stderr is closed, the job must end all the same.
                 let _ = writeln!(std::io::stderr(), "rank {rank} panicked: the job ends");
                 // SAFETY: MPI is initialised; MPI_Abort may be called from any state and does not return.
                 unsafe { ffi::MPI_Abort(ffi::RSMPI_COMM_WORLD, 101) };
@@ -85,7 +85,7 @@ impl Comm {
         Self::over(raw, rank, size, Some(universe))
     }
 
-    /// This rank by itself, for work that others take no part in.
+    /// This rank alone, for work without the others.
     pub fn alone(&self) -> Self {
         // SAFETY: a constant of the MPI library.
         Self::over(unsafe { ffi::RSMPI_COMM_SELF }, 0, 1, None)
@@ -121,7 +121,7 @@ impl Comm {
         self.rank == 0
     }
 
-    /// The communicator as a library written in C wants it.
+    /// The handle of the communicator for libraries written in C.
     pub fn raw(&self) -> ffi::MPI_Comm {
         self.raw
     }
@@ -156,7 +156,7 @@ impl Comm {
         }
     }
 
-    /// The hints as a library written in C wants them; none where none are set.
+    /// The handle of the hints for libraries written in C; `None` where none are set.
     pub fn raw_file_hints(&self) -> Option<ffi::MPI_Info> {
         let info = self.file_hints.get();
         // SAFETY: a constant of the MPI library.
@@ -168,7 +168,7 @@ impl Comm {
     /// # Safety
     /// `file` must point to the open `MPI_File` of a library written in C.
     pub unsafe fn hints_of_file(&self, file: *const std::ffi::c_void) -> Vec<(String, String)> {
-        // SAFETY: `file` is as promised; the buffers are as long as MPI is told, with room for a last NUL.
+        // SAFETY: `file` is as promised; the buffers are as long as the sizes given to MPI, with room for a last NUL.
         unsafe {
             let mut info = ffi::RSMPI_INFO_NULL;
             ffi::MPI_File_get_info(*file.cast::<ffi::MPI_File>(), &mut info);
@@ -270,8 +270,8 @@ impl Comm {
         });
     }
 
-    /// The network between the first rank and the last, which where there are several machines stand on different ones: the best
-    /// of many round trips. None on one rank. Collective.
+    /// Seconds for a short message, and bytes per second of long ones, between the first rank and the last, which where
+    /// there are several machines are on different ones: the best of many round trips. None on one rank. Collective.
     pub fn network(&self) -> Option<Network> {
         if self.size == 1 {
             return None;
@@ -297,7 +297,7 @@ impl Comm {
         let buffer = message.as_mut_ptr().cast();
         // SAFETY: the buffer holds as many bytes as are named.
         let send = |to: i32| unsafe { ffi::MPI_Send(buffer, bytes, kind, to, TRIP_TAG, self.raw) };
-        // SAFETY: the same; the status is filled by MPI.
+        // SAFETY: the buffer holds as many bytes as are named; the status is filled by MPI.
         let receive = |from: i32| unsafe {
             ffi::MPI_Recv(buffer, bytes, kind, from, TRIP_TAG, self.raw, &mut std::mem::zeroed());
         };
@@ -404,7 +404,7 @@ impl Comm {
         std::mem::take(&mut reduction.all)
     }
 
-    /// Ends once `is_done`: after waiting, or, where work overlaps, when it goes on for the first time after that.
+    /// Returns once `is_done`: after waiting, or, where work overlaps, at its first continuation after that.
     async fn complete(&self, mut is_done: impl FnMut() -> bool) {
         let poll = |_: &mut Context| {
             if self.overlaps.get() {
@@ -502,7 +502,7 @@ impl Exchange {
         &mut self.outgoing
     }
 
-    /// What came, once [`Exchange::wait`] has returned.
+    /// The messages received, once [`Exchange::wait`] has returned.
     pub fn incoming(&self) -> &[f64] {
         assert!(!self.running, "messages are on their way");
         &self.incoming
@@ -553,7 +553,7 @@ impl Exchange {
 impl Drop for Exchange {
     fn drop(&mut self) {
         let mut finalized = 0;
-        // SAFETY: may be asked at any time; requests do not outlive MPI.
+        // SAFETY: may be called at any time; requests do not outlive MPI.
         unsafe { ffi::MPI_Finalized(&mut finalized) };
         if finalized != 0 {
             return;

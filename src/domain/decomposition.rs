@@ -1,5 +1,5 @@
-//! All that changes when lists are built: owners, the order of particles, ghosts, the local set, the watch. Everything stands
-//! on `build_position` and the list radii at the build, never on where particles are now: a run that is resumed from
+//! All that changes when lists are built: owners, the order of particles, ghosts, the local set, the watch. Everything follows
+//! from `build_position` and the list radii at the build, never from where particles are now: a run that is resumed from
 //! them, on any number of ranks, gets the same lists.
 
 use super::bisection::Bisection;
@@ -56,8 +56,8 @@ pub struct Basis {
 }
 
 impl<const D: usize> Decomposition<D> {
-    /// Distributes particles that stand on any ranks, and builds on their `build_position`. `list_radius`: of an owned particle at
-    /// its list build, m. Collective.
+    /// Distributes particles that may be on any ranks, and builds on their `build_position`. `space`: the same for the whole
+    /// run; `list_radius`: of an owned particle at its list build, m; `words`: numbers of a pair record. Collective.
     pub fn new(columns: &mut Columns, basis: Basis, list_radius: ListRadius, comm: &Comm) -> Self {
         let Basis { handles, space, words } = basis;
         let costs = vec![1; columns.len()];
@@ -81,7 +81,7 @@ impl<const D: usize> Decomposition<D> {
         self.bisection = Bisection::new(columns.numbers(self.handles.position.index), costs, comm.size(), comm);
     }
 
-    /// Brings every particle to its owner and finds the ghosts, all on `build_position`: after a restart, what stood before
+    /// Brings every particle to its owner and finds the ghosts, all on `build_position`: after a restart, the state before
     /// the checkpoint. Neighbour lists are to be made from `local` afterwards. Collective.
     pub fn rebuild_from_build_positions(&mut self, columns: &mut Columns, list_radius: ListRadius, comm: &Comm) {
         self.migrated = migrate(columns, self.handles.build_position, &self.bisection, comm);
@@ -99,7 +99,7 @@ impl<const D: usize> Decomposition<D> {
         self.watch = Watch::build_placed(&self.space.lattice, radii, places, &extents, comm);
     }
 
-    /// Brings columns into canonical order and says where the particles stand in it.
+    /// Brings columns into canonical order and returns the places of the particles.
     fn sort(&self, columns: &mut Columns, list_radius: ListRadius) -> Vec<Place> {
         let mut places = large_pages::with_capacity(columns.len());
         let lattice = self.space.lattice;
@@ -110,7 +110,7 @@ impl<const D: usize> Decomposition<D> {
         places
     }
 
-    /// Something made of each owned particle as the neighbour search sees it.
+    /// Applies a function to each owned particle as the neighbour search sees it.
     fn each<'a, T: Send>(
         &self,
         columns: &'a Columns,

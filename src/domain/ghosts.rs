@@ -67,7 +67,7 @@ impl<const D: usize> Extent<D> {
         self.distance_squared(&site.position, &site.position) < radius * radius
     }
 
-    /// The extent of the images.
+    /// The extent of images at this shift.
     fn shifted(&self, shift: &[f64; D]) -> Self {
         let by = |corner: &[f64; D]| std::array::from_fn(|k| corner[k] + shift[k]);
         Self { low: by(&self.low), high: by(&self.high), radius: self.radius }
@@ -91,8 +91,8 @@ pub struct Ghosts {
 }
 
 impl Ghosts {
-    /// Finds who is a ghost where. `owned`: in canonical order; `words`: numbers of a pair record. Returns the incoming
-    /// particles too, in message order. Collective.
+    /// Finds which particles are ghosts on which ranks. `owned`: in canonical order; `words`: numbers of a pair record. Returns the
+    /// incoming particles too, in message order. Collective.
     pub fn build<const D: usize>(
         owned: &[Site<D>],
         extents: &[Extent<D>],

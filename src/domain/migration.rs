@@ -14,7 +14,7 @@ pub fn migrate<const D: usize>(
     comm: &Comm,
 ) -> usize {
     if bisection.parts() == 1 {
-        // Everyone is at home.
+        // Every particle is on its owner.
         return 0;
     }
     let mut stay = Vec::with_capacity(columns.len());

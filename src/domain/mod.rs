@@ -1,4 +1,4 @@
-//! Who owns which particles, and what crosses between ranks. Knows columns, no physics.
+//! Distribution of particles over ranks, and communication between these. Knows columns, no physics.
 
 pub mod bisection;
 pub mod closing;

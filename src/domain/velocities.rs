@@ -1,4 +1,4 @@
-//! Extremes of the velocities in the cells of a watch: what [`closing`](super::closing) needs to know how fast matter may come together.
+//! Extremes of the velocities in the cells of a watch: from them [`closing`](super::closing) finds how fast matter may approach.
 
 use super::comm::Exchange;
 
@@ -6,7 +6,7 @@ use super::comm::Exchange;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct CellVelocities<const D: usize> {
     pub(super) forward: [[f64; 2]; D],
-    /// Of the velocity's opposite.
+    /// Maxima of the opposite velocity.
     pub(super) backward: [[f64; 2]; D],
     /// -h of the smallest particle of the cell's own level.
     pub(super) smallest: f64,
@@ -65,9 +65,9 @@ pub fn relative(forward: &[f64], backward: &[f64]) -> f64 {
     forward.iter().zip(backward).map(|(f, b)| (f + b).max(0.0).powi(2)).sum::<f64>().sqrt()
 }
 
-/// What a watch keeps for it, made when it is first asked.
+/// Velocities of the cells of a watch, made when they are first needed.
 pub(super) struct Velocities<const D: usize> {
-    /// Of own cells, then of cells known from other ranks only.
+    /// Own cells, then cells known from other ranks only.
     pub(super) cells: Vec<CellVelocities<D>>,
     pub(super) exchange: Exchange,
 }

@@ -1,5 +1,5 @@
-//! When must lists be built again? When two particles that were not neighbours at the last build may have come within their
-//! supports. What counts is how far particles have moved *relative to each other* since then, with displacements
+//! Decides when neighbour lists must be built again: when two particles that were not neighbours at the last build may have come
+//! within their supports. What counts is how far particles have moved *relative to each other* since then, with displacements
 //! d = x - x_build, list radii L (support and skin at the build) and supports s = 2h (now).
 //!
 //! At each level l of the lattice, over the 3^D cells around any cell near particles:
@@ -16,12 +16,12 @@
 //! is as wide: either a block there holds both, and R is its side, or at least two of its sides were between them, and so on.
 //! Beyond `ABOVE` levels over the widest occupied one, it is enough that no particle has moved by more than half a side.
 //!
-//! Along periodic axes a period is a whole number of cells at every level that particles live in, and blocks close on
-//! themselves. Wider levels would not fit, so nothing above the widest occupied one is watched: two sides of it are between
+//! Along periodic axes a period is a whole number of cells at every level that particles live in, and blocks wrap
+//! around. Wider levels would not fit, so nothing above the widest occupied one is watched: two sides of it are between
 //! particles that no block holds, and it is enough that none has moved by more than half a side.
 //!
 //! Extremes are exact and blocks belong to the global lattice, so any number of ranks gives the same answer, as long as every
-//! rank knows the whole content of all cells up to two away from its own: that is what ranks tell each other each step.
+//! rank knows the whole content of all cells up to two away from its own: that is what ranks exchange in each step.
 
 use rayon::prelude::*;
 
@@ -46,11 +46,11 @@ const fn words(dimension: usize) -> usize {
     2 * dimension + 2
 }
 
-/// What has become of a cell's particles: maxima only, so that cells merge element by element.
+/// Extremes over a cell's particles since the last build: maxima only, so that cells merge element by element.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Summary<const D: usize> {
     forward: [f64; D],
-    /// Of the displacement's opposite.
+    /// Maxima of the opposite displacement.
     backward: [f64; D],
     /// -(L - s) over particles of the cell's own level.
     lack: f64,
@@ -79,7 +79,8 @@ impl<const D: usize> Summary<D> {
     /// Relative displacement over what is allowed; `reach` is R above.
     fn used(&self, reach: f64) -> f64 {
         let apart = relative(&self.forward, &self.backward);
-        // Where no particle of the block's own level is, half of it: what closes then always has half of the way left.
+        // Where no particle of the block's own level is, half of it: particles that approach then always have half of the distance
+        // left.
         let alone = self.lack == f64::NEG_INFINITY;
         let allowed = if alone { 0.5 * (reach - self.finer) } else { (-self.lack).min(reach - self.finer) };
         if allowed > 0.0 { apart / allowed } else { f64::INFINITY }
@@ -134,9 +135,9 @@ pub struct Watch<const D: usize> {
     pub(super) sides: Vec<f64>,
     pub(super) widest_side: f64,
     pub(super) lattice: Lattice,
-    /// Of own cells, then of cells known from other ranks only.
+    /// Own cells, then cells known from other ranks only.
     pub(super) summaries: Vec<Summary<D>>,
-    /// Whether they are those of the present positions.
+    /// Whether summaries are those of the present positions.
     surveyed: bool,
     /// Largest support in each own cell.
     supports: Vec<f64>,
@@ -144,7 +145,7 @@ pub struct Watch<const D: usize> {
     radii: Vec<f64>,
     pub(super) blocks: Blocks,
     exchange: Exchange,
-    /// (rank, cells) that go out, and that come in.
+    /// (rank, cells) that are sent, and that are received.
     pub(super) peers: [Peers; 2],
     pub(super) send_cells: Vec<u32>,
     pub(super) receive_cells: Vec<u32>,
@@ -160,7 +161,7 @@ pub(super) struct Blocks {
     cells: Vec<u32>,
     /// Where in its block each of `cells` lies, see [`Block::layers`].
     layers: Vec<u8>,
-    /// R of each.
+    /// R of each block.
     pub(super) reach: Vec<f64>,
     /// The first block of each level.
     first: Vec<usize>,
@@ -173,7 +174,7 @@ impl<const D: usize> Watch<D> {
         Self::build_placed(lattice, radii, owned.iter().map(|site| lattice.place(site)), extents, comm)
     }
 
-    /// The same from list radii and places alone. Collective.
+    /// Like [`Watch::build`], from list radii and places alone. Collective.
     pub fn build_placed(
         lattice: &Lattice,
         radii: Vec<f64>,
@@ -207,8 +208,8 @@ impl<const D: usize> Watch<D> {
             }
         }
         let received = comm.sparse_exchange(messages);
-        let told = received.iter().map(|(_, message)| message.len() / 3).sum();
-        let mut known = Known::new(&cells, &levels, reach, told);
+        let reported = received.iter().map(|(_, message)| message.len() / 3).sum();
+        let mut known = Known::new(&cells, &levels, reach, reported);
         let (mut receive_cells, mut receives) = (Vec::new(), Vec::new());
         for (rank, message) in received {
             let described = message.chunks_exact(3);
@@ -293,7 +294,7 @@ impl<const D: usize> Watch<D> {
         particles
     }
 
-    /// Gives the memory back, before another one is made.
+    /// Releases the memory before another watch is made.
     pub fn forget(&mut self) {
         (self.cells, self.summaries, self.supports, self.radii) = Default::default();
         self.blocks = Blocks::default();
@@ -443,7 +444,7 @@ fn cells_near<const D: usize>(lattice: &Lattice, cells: &[Cell], levels: &[usize
     near
 }
 
-/// Cells of this rank and those that others have told of.
+/// Cells of this rank and those that other ranks have reported.
 struct Known {
     /// Numbers of cells by code, for each level.
     tables: Vec<CellTable>,
@@ -452,19 +453,19 @@ struct Known {
 }
 
 impl Known {
-    /// `told`: how many cells other ranks will tell of.
-    fn new(cells: &[Cell], levels: &[usize], reach: Vec<f64>, told: usize) -> Self {
+    /// `reported`: how many cells other ranks will report.
+    fn new(cells: &[Cell], levels: &[usize], reach: Vec<f64>, reported: usize) -> Self {
         let mut tables = Vec::new();
         for range in levels.windows(2) {
             let mut table = CellTable::default();
-            table.reset(range[1] - range[0] + told);
+            table.reset(range[1] - range[0] + reported);
             (range[0]..range[1]).for_each(|c| table.insert(cells[c].code, c as u32, c as u32 + 1));
             tables.push(table);
         }
         Self { tables, reach }
     }
 
-    /// The number of a cell that another rank has told of.
+    /// The number of a cell that another rank has reported.
     fn add(&mut self, level: usize, code: u64, reach: f64) -> u32 {
         if let Some((cell, _)) = self.tables[level].get(code) {
             let mine = &mut self.reach[cell as usize];

@@ -1,10 +1,10 @@
-//! A piston that crushes porous matter: an elastic precursor up to where pores give way and a compaction shock behind it; one
-//! elastic front; or one front that has overtaken its precursor. Jutzi et al. 2008, section 5.1; Herrmann 1969, J. Appl. Phys. 40,
-//! 2490.
+//! A piston that crushes porous matter: an elastic precursor up to where pores begin to collapse and a compaction shock behind it;
+//! one elastic front; or one front that has overtaken its precursor. Jutzi et al. 2008, section 5.1; Herrmann 1969, J. Appl. Phys.
+//! 40, 2490.
 //!
 //! Behind a front the pressure is that of the porous matter on first loading, P(rho, E) = P_s(alpha rho, E) / alpha with alpha of
 //! its law of compaction (`material::porosity`), and each front obeys the jump conditions of `shock`. The precursor ends where the
-//! first pore gives way for good. A shock may leave pores: then alpha behind it is on the crush curve.
+//! first pore collapses for good. A shock may leave pores: then alpha behind it is on the crush curve.
 
 use super::piston::Piston;
 use super::shock::{Front, jump};
@@ -15,13 +15,13 @@ use crate::material::porosity::law::Porous;
 
 /// Porous matter at rest, without strength.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sponge {
+pub struct PorousMedium {
     pub matter: Porous,
     /// kg/m^3.
     pub density: f64,
 }
 
-impl Sponge {
+impl PorousMedium {
     /// The material of a body with the distention `initial`, cold; `None` without pores.
     pub fn of(material: &MaterialTable, initial: f64) -> Option<Self> {
         let matter = Porous::of(material, initial)?;
@@ -50,7 +50,7 @@ impl Sponge {
         Ok(Front { behind: State { distention, ..front.behind }, ..front })
     }
 
-    /// The strongest front that no pore gives way in; `None` where pores give way at once.
+    /// The strongest front in which no pore collapses; `None` where pores collapse at once.
     pub fn elastic_limit(&self) -> Result<Option<Front>> {
         let gives_way = |gain: f64| match self.front(&self.at_rest(), gain) {
             Ok(Front { behind, .. }) => {
@@ -67,7 +67,7 @@ impl Sponge {
         self.front(&self.at_rest(), gain).map(Some)
     }
 
-    /// What a piston with this speed, m/s, drives into it.
+    /// The waves that a piston with this speed, m/s, drives into it.
     pub fn piston(&self, speed: f64) -> Result<Piston> {
         all_positive(&[("the density", self.density), ("the speed of the piston", speed)])?;
         let ahead = self.at_rest();
@@ -90,15 +90,15 @@ mod tests {
     use super::*;
     use crate::material::porosity::testing;
 
-    fn sponge(matter: Porous) -> Sponge {
-        Sponge { density: matter.eos.reference_density().unwrap() / matter.initial, matter }
+    fn porous_medium(matter: Porous) -> PorousMedium {
+        PorousMedium { density: matter.eos.reference_density().unwrap() / matter.initial, matter }
     }
 
     /// Porous aluminium at 458 m/s (Jutzi et al. 2008, section 5.1), from an independent solution of the jump conditions.
     #[test]
     fn compaction_wave_in_aluminium() {
-        let sponge = sponge(testing::aluminium(1.275));
-        let wave = sponge.piston(458.0).unwrap();
+        let medium = porous_medium(testing::aluminium(1.275));
+        let wave = medium.piston(458.0).unwrap();
         let precursor = wave.precursor.unwrap();
         near(precursor.behind.stress, 8e7, 1e-9);
         near(precursor.speed, 4083.246, 1e-6);
@@ -112,10 +112,10 @@ mod tests {
         assert_eq!(wave.front.behind.distention, 1.0);
     }
 
-    /// The same at other speeds: U_s, P and alpha behind.
+    /// An independent solution at other speeds: U_s, P and alpha behind.
     #[test]
     fn incomplete_and_complete_compaction() {
-        let sponge = sponge(testing::aluminium(1.275));
+        let medium = porous_medium(testing::aluminium(1.275));
         let cases = [
             (100.0, 889.0, 2.495e8, 1.1446),
             (200.0, 1005.7, 4.834e8, 1.0334),
@@ -123,7 +123,7 @@ mod tests {
             (600.0, 2518.0, 3.226e9, 1.0),
         ];
         for (speed, front, pressure, alpha) in cases {
-            let wave = sponge.piston(speed).unwrap();
+            let wave = medium.piston(speed).unwrap();
             near(wave.front.speed, front, 4e-4);
             near(wave.front.behind.stress, pressure, 3e-4);
             near(wave.front.behind.distention, alpha, 5e-5);
@@ -144,17 +144,17 @@ mod tests {
             testing::strained(3.0),
             testing::ice(3.0),
         ];
-        for sponge in matters.map(sponge) {
+        for medium in matters.map(porous_medium) {
             for speed in [0.02, 5.0, 100.0, 458.0, 1000.0, 5000.0, 9000.0] {
-                let wave = sponge.piston(speed).unwrap();
-                let ahead = wave.precursor.map_or(sponge.at_rest(), |precursor| precursor.behind);
+                let wave = medium.piston(speed).unwrap();
+                let ahead = wave.precursor.map_or(medium.at_rest(), |precursor| precursor.behind);
                 obeys_the_jump_conditions(&ahead, &wave.front);
                 near(wave.front.behind.velocity, speed, 1e-12);
                 if let Some(precursor) = wave.precursor {
-                    obeys_the_jump_conditions(&sponge.at_rest(), &precursor);
+                    obeys_the_jump_conditions(&medium.at_rest(), &precursor);
                     assert!(wave.front.speed < precursor.speed);
                 }
-                let crushed = wave.front.behind.distention < 0.999 * sponge.matter.initial;
+                let crushed = wave.front.behind.distention < 0.999 * medium.matter.initial;
                 kinds[if wave.precursor.is_some() { 1 } else { 2 * usize::from(crushed) }] += 1;
             }
         }
@@ -164,12 +164,12 @@ mod tests {
     /// alpha_0 = 3, c = 2: at P_s the matrix is less dense than without load, and gets thinner as P rises.
     #[test]
     fn compaction_is_anomalous_at_high_porosity() {
-        let sponge = sponge(testing::simple(3.0, 2.0));
+        let medium = porous_medium(testing::simple(3.0, 2.0));
         let density = |pressure: f64| {
             let speed =
-                root(1.0, 1e4, |speed| sponge.front(&sponge.at_rest(), speed).unwrap().behind.stress - pressure)
+                root(1.0, 1e4, |speed| medium.front(&medium.at_rest(), speed).unwrap().behind.stress - pressure)
                     .unwrap();
-            sponge.front(&sponge.at_rest(), speed).unwrap().behind.density
+            medium.front(&medium.at_rest(), speed).unwrap().behind.density
         };
         near(density(7e8), 2675.49, 2e-6);
         near(density(1e9), 2665.4, 2e-5);

@@ -1,5 +1,5 @@
 //! Exact solutions that scenes are compared with: pure functions of physical parameters in SI units, or in any consistent ones
-//! where no material law is asked. One file, one kind of solution; it opens with the equations and their source.
+//! where no material law enters. One file, one kind of solution; it opens with the equations and their source.
 //!
 //! A solution lives along one coordinate: x of a plane wave, r of a blast or of a vibrating body.
 
@@ -26,7 +26,7 @@ pub struct State {
     pub stress: f64,
     /// Specific, J/kg.
     pub internal_energy: f64,
-    /// Zero where the solution knows of no pores.
+    /// Zero where the solution has no pores.
     pub distention: f64,
 }
 
@@ -35,7 +35,7 @@ fn all_positive(parameters: &[(&str, f64)]) -> Result<()> {
     all_above(0.0, parameters)
 }
 
-/// As [`all_positive`], above `bound`.
+/// Fails unless all parameters, named for the message, are finite and above `bound`.
 fn all_above(bound: f64, parameters: &[(&str, f64)]) -> Result<()> {
     match parameters.iter().find(|(_, value)| !(*value > bound && value.is_finite())) {
         Some((name, value)) => {
@@ -58,7 +58,7 @@ fn unit_surface(dimension: usize) -> Result<f64> {
 }
 
 /// The place between `low` and `high` where `f` changes sign, by bisection down to neighbouring numbers; fails where `f` has
-/// the same sign at both ends or is no number there. An end where `f` is zero is the answer.
+/// the same sign at both ends or is NaN there. An end where `f` is zero is the answer.
 fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> Result<f64> {
     let (at_low, at_high) = (f(low), f(high));
     if at_low == 0.0 || at_high == 0.0 {

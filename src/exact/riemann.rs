@@ -171,7 +171,7 @@ mod tests {
         }
     }
 
-    /// What a box that holds all waves has gained is what has flowed in through its ends, for two shocks, two rarefactions, one
+    /// A box that holds all waves has gained the inflow through its ends, for two shocks, two rarefactions, one
     /// of each, cold gases that meet and a strong blast. The midpoint rule misses each of the three jumps there can be by at most
     /// half a cell.
     #[test]

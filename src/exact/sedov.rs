@@ -62,7 +62,7 @@ impl Sedov {
         let mut y = [libm::log(below / above), libm::log(above / below), 0.0];
         let mut profile = vec![[y[0], y[1]]];
         let mut s = 0.0;
-        // What is left out of v is below rounding; close to gamma = 7 it stays finite down to the smallest radii.
+        // The neglected part of v is below rounding; close to gamma = 7 it stays finite down to the smallest radii.
         while y[0] > -37.0 && s > -40.0 {
             y = runge_kutta(s, &y, -step, |s, y| slopes(dimension, gamma, s, y));
             s = -step * profile.len() as f64;

@@ -9,7 +9,7 @@
 //! V = 1 / rho specific volume, dV = V_0 - V; u velocity gained, U speed of the front, both against the matter ahead; s
 //! stress, the pressure P of a fluid; E specific internal energy.
 //!
-//! c follows from the pressure alone, as the law's own speed of sound has a floor. Where the law lets tension fade or go, matter
+//! c follows from the pressure alone, as the law's own speed of sound has a floor. Where the law reduces or removes tension, matter
 //! that reaches P = 0 stays there, so that the release is over.
 
 use super::{State, all_positive, root, runge_kutta};
@@ -35,7 +35,7 @@ pub struct Front {
 }
 
 /// The front that adds `gain`, m/s, at least 0, to the velocity of the matter ahead; `stress` is that of matter with a given
-/// density and internal energy behind the front. The speed of a front with no gain is no number.
+/// density and internal energy behind the front. The speed of a front with no gain is NaN.
 pub(super) fn jump(ahead: &State, gain: f64, stress: impl Fn(f64, f64) -> f64) -> Result<Front> {
     let volume = 1.0 / ahead.density;
     let behind = |shrunk: f64| {
@@ -44,7 +44,7 @@ pub(super) fn jump(ahead: &State, gain: f64, stress: impl Fn(f64, f64) -> f64) -
         let stress = stress(density, internal_energy);
         State { density, velocity: ahead.velocity + gain, stress, internal_energy, distention: 0.0 }
     };
-    // At the upper end matter is 1e9 times as dense as ahead: no law bears that at a lower stress than the jump asks for.
+    // At the upper end matter is 1e9 times as dense as ahead: no law allows that at a lower stress than the jump requires.
     let shrunk =
         root(0.0, volume * (1.0 - 1e-9), |shrunk| (behind(shrunk).stress - ahead.stress) * shrunk - gain * gain)?;
     Ok(Front { behind: behind(shrunk), speed: ahead.velocity + volume * gain / shrunk })
@@ -53,11 +53,11 @@ pub(super) fn jump(ahead: &State, gain: f64, stress: impl Fn(f64, f64) -> f64) -
 /// Matter that has expanded to zero pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Release {
-    /// kg/m^3; zero where the matter pushes to the last.
+    /// kg/m^3; zero where the matter expands without limit.
     pub density: f64,
     /// Specific, J/kg.
     pub internal_energy: f64,
-    /// Of the free surface, m/s.
+    /// Velocity of the free surface, m/s.
     pub velocity: f64,
 }
 
@@ -86,7 +86,7 @@ impl Medium {
         [by_x, -(rise / (2.0 * d * rho)).max(0.0).sqrt()]
     }
 
-    /// What becomes of the shocked state `behind` when the shock reaches a free surface.
+    /// The state to which the shocked state `behind` expands when the shock reaches a free surface.
     pub fn release(&self, behind: &State) -> Result<Release> {
         /// Longest step in ln rho, and what one step may add to the relative error.
         const LONGEST: f64 = 0.02;
@@ -335,11 +335,11 @@ pub(super) mod tests {
         }
         near(end.internal_energy, energy, 1e-6);
         near(end.velocity, velocity, 1e-6);
-        // Mixed with liquid at the end, and as vapour to the last.
-        for (speed, pushes_to_the_last) in [(15e3, false), (50e3, true)] {
+        // Mixed with liquid at the end, and as vapour throughout.
+        for (speed, expands_without_limit) in [(15e3, false), (50e3, true)] {
             let release = basalt().release(&basalt().shock(speed).unwrap().behind).unwrap();
             assert!(release.velocity > 2.0 * speed && release.velocity < 4.0 * speed, "{release:?}");
-            assert_eq!(release.density == 0.0, pushes_to_the_last);
+            assert_eq!(release.density == 0.0, expands_without_limit);
         }
     }
 }

@@ -11,7 +11,7 @@
 //! ```
 //! x = k R or k L, y = k s, g = (c_S / c_L)^2, q = (cosh x + cos x) / (sinh x + sin x); j and J Bessel functions, theta the angle
 //! from the axis, s the distance from the clamped or a free end, L length, H thickness, E' Young's modulus in plane strain. In
-//! the torsional mode of the sphere the hemispheres turn against each other; that of the disc is that of a long cylinder too.
+//! the torsional mode of the sphere the hemispheres rotate against each other; that of the disc is that of a long cylinder too.
 
 use std::f64::consts::PI;
 
@@ -24,7 +24,7 @@ use crate::error::{Error, Result};
 pub struct Mode {
     /// rad/s.
     pub angular_frequency: f64,
-    shape: Shape,
+    shape: ModeFunction,
     /// R or L, m.
     size: f64,
     /// k R or k L.
@@ -32,7 +32,7 @@ pub struct Mode {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Shape {
+enum ModeFunction {
     Sphere { order: usize },
     Disc,
     Plate,
@@ -40,7 +40,7 @@ enum Shape {
 }
 
 impl Mode {
-    fn new(shape: Shape, size: f64, speed: f64, root: f64) -> Result<Self> {
+    fn new(shape: ModeFunction, size: f64, speed: f64, root: f64) -> Result<Self> {
         all_positive(&[("the size", size), ("the speed", speed)])?;
         Ok(Self { angular_frequency: root * speed / size, shape, size, root })
     }
@@ -55,10 +55,10 @@ impl Mode {
     pub fn at(&self, s: f64) -> f64 {
         let y = self.root * (s / self.size);
         match self.shape {
-            Shape::Sphere { order } => spherical_bessel(order, y) / spherical_bessel(order, self.root),
-            Shape::Disc => libm::j1(y) / libm::j1(self.root),
-            Shape::Plate => bent(self.root, y) / bent(self.root, self.root),
-            Shape::Bar => libm::cos(y),
+            ModeFunction::Sphere { order } => spherical_bessel(order, y) / spherical_bessel(order, self.root),
+            ModeFunction::Disc => libm::j1(y) / libm::j1(self.root),
+            ModeFunction::Plate => bent(self.root, y) / bent(self.root, self.root),
+            ModeFunction::Bar => libm::cos(y),
         }
     }
 }
@@ -66,24 +66,24 @@ impl Mode {
 /// `n`-th radial mode of a sphere, n = 1, 2, ...
 pub fn sphere_radial(solid: &Elastic, radius: f64, n: usize) -> Result<Mode> {
     let x = nth_root(n, |x| libm::sin(x) - 4.0 * softness(solid) * spherical_bessel(1, x))?;
-    Mode::new(Shape::Sphere { order: 1 }, radius, solid.longitudinal_speed(), x)
+    Mode::new(ModeFunction::Sphere { order: 1 }, radius, solid.longitudinal_speed(), x)
 }
 
 /// `n`-th radial mode of a disc in plane strain, n = 1, 2, ...
 pub fn disc_radial(solid: &Elastic, radius: f64, n: usize) -> Result<Mode> {
     let x = nth_root(n, |x| x * libm::j0(x) - 2.0 * softness(solid) * libm::j1(x))?;
-    Mode::new(Shape::Disc, radius, solid.longitudinal_speed(), x)
+    Mode::new(ModeFunction::Disc, radius, solid.longitudinal_speed(), x)
 }
 
 /// `n`-th torsional mode of degree 2 of a sphere, n = 1, 2, ...; at(r) is that at 45 degrees from the axis.
 pub fn sphere_torsional(solid: &Elastic, radius: f64, n: usize) -> Result<Mode> {
     let x = nth_root(n, |x| x * spherical_bessel(1, x) - 4.0 * spherical_bessel(2, x))?;
-    Mode::new(Shape::Sphere { order: 2 }, radius, solid.shear_speed(), x)
+    Mode::new(ModeFunction::Sphere { order: 2 }, radius, solid.shear_speed(), x)
 }
 
 /// `n`-th torsional mode of a disc, n = 1, 2, ...
 pub fn disc_torsional(solid: &Elastic, radius: f64, n: usize) -> Result<Mode> {
-    Mode::new(Shape::Disc, radius, solid.shear_speed(), nth_root(n, |x| libm::jn(2, x))?)
+    Mode::new(ModeFunction::Disc, radius, solid.shear_speed(), nth_root(n, |x| libm::jn(2, x))?)
 }
 
 /// `n`-th mode, n = 1, 2, ..., of a thin plate in plane strain that is clamped at one end. Rotation of its sections and their
@@ -91,14 +91,14 @@ pub fn disc_torsional(solid: &Elastic, radius: f64, n: usize) -> Result<Mode> {
 pub fn clamped_plate(solid: &Elastic, length: f64, thickness: f64, n: usize) -> Result<Mode> {
     all_positive(&[("the length", length), ("the thickness", thickness)])?;
     let x = nth_root(n, |x| libm::cos(x) + 1.0 / libm::cosh(x))?;
-    Mode::new(Shape::Plate, length, x * thickness / length * solid.plate_speed() / 12f64.sqrt(), x)
+    Mode::new(ModeFunction::Plate, length, x * thickness / length * solid.plate_speed() / 12f64.sqrt(), x)
 }
 
 /// `n`-th longitudinal mode, n = 1, 2, ..., of a bar that is free at both ends, with waves of the given `speed`, m/s: that of a
 /// bar, a plate or a column.
 pub fn free_bar(speed: f64, length: f64, n: usize) -> Result<Mode> {
     at_least_first(n)?;
-    Mode::new(Shape::Bar, length, speed, n as f64 * PI)
+    Mode::new(ModeFunction::Bar, length, speed, n as f64 * PI)
 }
 
 /// g.

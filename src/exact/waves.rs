@@ -47,27 +47,27 @@ impl Elastic {
         (modulus / self.density).sqrt()
     }
 
-    /// Of sound in a fluid of the same bulk modulus, m/s.
+    /// Speed of sound in a fluid of the same bulk modulus, m/s.
     pub fn bulk_speed(&self) -> f64 {
         self.speed(self.bulk_modulus)
     }
 
-    /// Of a longitudinal wave in matter that is held at the sides, m/s.
+    /// Speed of a longitudinal wave in matter without lateral strain, m/s.
     pub fn longitudinal_speed(&self) -> f64 {
         self.speed(self.bulk_modulus + 4.0 / 3.0 * self.shear_modulus)
     }
 
-    /// Of a shear wave, m/s.
+    /// Speed of a shear wave, m/s.
     pub fn shear_speed(&self) -> f64 {
         self.speed(self.shear_modulus)
     }
 
-    /// Of a longitudinal wave in a thin bar of `dimension` 3, or in a thin strip in plane strain (2), m/s.
+    /// Speed of a longitudinal wave in a thin bar of `dimension` 3, or in a thin strip in plane strain (2), m/s.
     pub fn bar_speed(&self, dimension: usize) -> f64 {
         self.speed(self.youngs_modulus(dimension))
     }
 
-    /// Of a longitudinal wave along a thin plate, m/s.
+    /// Speed of a longitudinal wave along a thin plate, m/s.
     pub fn plate_speed(&self) -> f64 {
         self.bar_speed(2)
     }

@@ -1,4 +1,4 @@
-//! What a scene is and what it will cost, before it runs: the text of `--check`.
+//! Description and predicted cost of a scene, before it runs: the text of `--check`.
 
 use std::fmt::Write;
 
@@ -79,10 +79,10 @@ fn bodies(scene: &Scene, plan: &Plan) -> String {
     text
 }
 
-/// Effects and pair terms, each with the tables that ask for it.
+/// Effects and pair terms, each with the tables that request it.
 fn effects(scene: &Scene, plan: &Plan) -> String {
     let understood: Table = scene.to_toml().parse().unwrap_or_default();
-    let mut rows = vec![words(["effect", "asked for by"])];
+    let mut rows = vec![words(["effect", "requested by"])];
     let mut row = |name: &str| {
         let tables = tables(&understood, name);
         let why = if tables.is_empty() { "every scene".to_string() } else { tables.join(", ") };
@@ -157,10 +157,10 @@ fn memory(plan: &Plan, footprint: &Footprint) -> String {
     format!("\nmemory on {ranks} rank{}\n{text}", if ranks == 1 { "" } else { "s" })
 }
 
-/// What each rank has to do, with lists that live for so many steps.
+/// The load of each of `ranks` ranks, with neighbour lists that are used for `life` steps.
 fn load(scene: &Scene, plan: &Plan, footprint: &Footprint, life: f64) -> Load {
     let d = scene.dimension as f64;
-    // A cell tells its displacements to two cells' depth; a site is a particle's id, position and radius.
+    // Displacements of cells are sent two cells deep; a site is a particle's id, position and radius.
     let watch = 2.0 * footprint.ghosts / footprint.ghosts_per_cell * 8.0 * (2.0 * d + 2.0);
     let site = 8.0 * (d + 2.0);
     // Particles move by about the skin between two lists: of a layer as deep as a list radius, that share may change ranks.
@@ -176,7 +176,7 @@ fn load(scene: &Scene, plan: &Plan, footprint: &Footprint, life: f64) -> Load {
         watch_bytes: watch,
         build_bytes: footprint.ghosts * (site + skin * plan.registry.bytes_per_particle() as f64),
         history_every: scene.output.history_every as f64,
-        gravity: Course::new(scene, plan).evaluations_per_step(),
+        gravity: StepForecast::new(scene, plan).evaluations_per_step(),
     }
 }
 
@@ -210,9 +210,9 @@ fn one_step(alone: &Step, shared: &Step, pace: &Pace, life: f64, ranks: usize) -
     format!("\none step on {ranks} rank{s} of one thread, none of them sharing a core\n{text}")
 }
 
-/// What one run of a scene will take.
+/// The predicted cost of one run of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Price {
+pub struct PredictedCost {
     pub particles: u64,
     pub steps: f64,
     pub wall_seconds: f64,
@@ -222,12 +222,12 @@ pub struct Price {
 }
 
 /// Predicts a run on `ranks` ranks of one thread each, by a pace that was measured with the same effects. Collective.
-pub fn predict(scene: &Scene, ranks: usize, pace: &Pace, comm: &Comm) -> Result<Price> {
+pub fn predict(scene: &Scene, ranks: usize, pace: &Pace, comm: &Comm) -> Result<PredictedCost> {
     let plan = setup::plan(scene, particles(scene, comm)?)?;
     let footprint = Footprint::new(scene, &plan, ranks);
     let life = list_life(scene, &plan).unwrap_or(pace.life);
     let cost = Step::new(&pace.machine, &load(scene, &plan, &footprint, life));
-    Ok(Run::new(scene, &plan, &footprint, pace, &cost).price)
+    Ok(RunForecast::new(scene, &plan, &footprint, pace, &cost).price)
 }
 
 /// The pace of a scene. Collective.
@@ -236,8 +236,8 @@ pub fn pace(scene: &Scene, ranks: usize, network: Option<Network>, comm: &Comm) 
     pace::measure(scene, &plan.constants, Footprint::new(scene, &plan, ranks).owned, network, comm)
 }
 
-/// How a run will go, as far as it can be known.
-struct Run<'a> {
+/// The predicted course of a run, its output and its cost.
+struct RunForecast<'a> {
     first: f64,
     limiting: &'a str,
     dt: f64,
@@ -246,16 +246,16 @@ struct Run<'a> {
     files: String,
     bytes: f64,
     writing: f64,
-    price: Price,
+    price: PredictedCost,
 }
 
-impl<'a> Run<'a> {
+impl<'a> RunForecast<'a> {
     fn new(scene: &'a Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, cost: &Step) -> Self {
-        let Course { first, limiting, dt, end, why, steps, .. } = Course::new(scene, plan);
+        let StepForecast { first, limiting, dt, end, why, steps, .. } = StepForecast::new(scene, plan);
         let (files, bytes) = output(scene, plan, footprint.particles, end, steps * cost.wall());
         let writing = bytes / pace.machine.files;
         let inside = libm::pow(1.0 + scene.numerics.skin, -(scene.dimension as f64));
-        let price = Price {
+        let price = PredictedCost {
             particles: footprint.particles,
             steps,
             wall_seconds: steps * cost.wall() + writing,
@@ -267,19 +267,19 @@ impl<'a> Run<'a> {
 }
 
 /// The steps of a run, as far as they can be known.
-struct Course<'a> {
+struct StepForecast<'a> {
     first: f64,
     limiting: &'a str,
     dt: f64,
-    /// s of simulated time.
+    /// End of the run in simulated time, s.
     end: f64,
     why: String,
     steps: f64,
-    /// Of the particles' own gravity.
+    /// Evaluations of the particles' own gravity.
     evaluations: f64,
 }
 
-impl<'a> Course<'a> {
+impl<'a> StepForecast<'a> {
     fn new(scene: &'a Scene, plan: &Plan) -> Self {
         let (first, limiting) = match step(scene, plan, 0.0) {
             (dt, limiting) if dt.is_finite() => (dt, limiting),
@@ -310,7 +310,7 @@ impl<'a> Course<'a> {
     }
 }
 
-/// The largest speed of a body's side, m/s: what limits the step of cold gas.
+/// The largest speed of a body's side, m/s: it limits the step of cold gas.
 fn fastest(scene: &Scene) -> f64 {
     let at_side = |body: &Body| {
         let mut side = body.centre;
@@ -343,7 +343,7 @@ fn soft_step(scene: &Scene, plan: &Plan) -> Option<f64> {
 }
 
 fn time(scene: &Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, cost: &Step) -> String {
-    let (run, ranks) = (Run::new(scene, plan, footprint, pace, cost), footprint.ranks);
+    let (run, ranks) = (RunForecast::new(scene, plan, footprint, pace, cost), footprint.ranks);
     let mut text = String::new();
     let mut line = |what: &str, value: String| {
         let _ = writeln!(text, "  {what:<34}{value}");
@@ -370,7 +370,7 @@ fn time(scene: &Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, cost: &S
     format!("\ntime; core-seconds are without waits of ranks for each other and without output\n{text}")
 }
 
-/// What a run writes, in words and in bytes. `end`: in simulated time, s; `wall`: in wall time, s.
+/// The output of a run, in words and in bytes. `until`: its end in simulated time, s, and in wall time, s.
 fn output(scene: &Scene, plan: &Plan, particles: u64, end: f64, wall: f64) -> (String, f64) {
     let entries = &plan.registry.entries;
     let words = |wanted: &dyn Fn(&Entry) -> bool| entries.iter().filter(|e| wanted(e)).map(|e| e.width).sum::<usize>();
@@ -399,7 +399,7 @@ fn step<'a>(scene: &'a Scene, plan: &Plan, approach: f64) -> (f64, &'a str) {
     steps.fold((f64::INFINITY, ""), |a, b| if b.0 < a.0 { b } else { a })
 }
 
-/// When the run will end, s, as far as it can be known, and what says so.
+/// When the run will end, s, as far as it can be known, and by which condition.
 fn end(scene: &Scene) -> (f64, String) {
     let (end, why) = match scene.run.until {
         Until::Time(end) => (end, "run.until".to_string()),

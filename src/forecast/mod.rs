@@ -1,4 +1,4 @@
-//! What a run will cost, before it starts: `--check`.
+//! The cost of a run, predicted before it starts: `--check`.
 
 pub mod cost;
 pub mod model;

@@ -1,4 +1,4 @@
-//! What a step costs on any number of ranks: counts, known from the scene, times what each of them takes, measured.
+//! The cost of a step on any number of ranks: counts, known from the scene, times their measured times.
 //!
 //! ```text
 //! work    = owned entries pair  +  owned update  +  owned totals / history_every  +  owned gravity evaluations
@@ -9,10 +9,10 @@
 //! uneven  : the load that a rank may have over the mean before planes are moved, half of it on the mean
 //! ```
 //!
-//! Left out: messages of gravity, and what a rank opens of other ranks' branches; what network links that ranks share give to each
-//! (say it with the bandwidth), noise of the system, and the search for ranks nearby, which takes nanoseconds for each rank of the job.
+//! Left out: messages of gravity, and the parts of other ranks' branches that a rank opens; network links shared by ranks (lower
+//! the bandwidth instead), noise of the system, and the search for ranks nearby, which takes nanoseconds for each rank of the job.
 
-/// What one core and the network take.
+/// Times and rates of one core and the network.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Machine {
     /// s for an entry of a neighbour list: its pair, and its share of the rates and the correction that follow.
@@ -35,7 +35,7 @@ pub struct Machine {
     pub files: f64,
 }
 
-/// What a rank has to do.
+/// The work of one rank.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Load {
     pub ranks: usize,
@@ -126,7 +126,7 @@ impl Step {
     }
 }
 
-/// What one rank would take for the same step, over what all these take.
+/// Parallel efficiency: time of one rank for the step over the time of all ranks together.
 pub fn efficiency(alone: &Step, shared: &Step, ranks: usize) -> f64 {
     alone.work() / (ranks as f64 * shared.wall())
 }

@@ -1,5 +1,5 @@
-//! How fast this machine steps a scene: its own effects and pair terms, timed over a few steps on a block of particles, part
-//! of them in random motion; messages between two ranks, where there are two; and a small file.
+//! Measures how fast this machine steps a scene: its own effects and pair terms, timed over a few steps on a block of particles,
+//! part of them in random motion; messages between two ranks, where there are two; and a small file.
 
 use std::io::Write;
 use std::time::Instant;
@@ -40,19 +40,19 @@ const PARTS: [&[Phase]; 6] = [
 ];
 /// Steps from one evaluation of gravity to the next, while it is timed.
 const GRAVITY_EVERY: f64 = 4.5;
-/// A network between machines as clusters have it, where nothing is measured or said.
+/// A network between machines as clusters have it, s and bytes/s, where none is measured or given.
 const NETWORK: Network = Network { latency: 2e-6, bandwidth: 5e9 };
 /// Bytes written to see how fast files are, and bytes/s where nothing can be written.
 const FILE: usize = 16 << 20;
 const FILES: f64 = 5e8;
 
-/// What was measured.
+/// The measured times and rates.
 #[derive(Debug, Clone)]
 pub struct Pace {
     pub machine: Machine,
-    /// Steps that a list of neighbours lived for.
+    /// Steps for which a neighbour list was used.
     pub life: f64,
-    /// What it was measured with.
+    /// Particles of the measurement.
     pub particles: usize,
     pub steps: usize,
     /// Where the figures of the network come from, and those of files.
@@ -86,23 +86,23 @@ fn measure_in<const D: usize>(
     let edge = owned.clamp(PARTICLES[0], PARTICLES[1]).powf(1.0 / D as f64) as u64;
     let particles = edge.pow(D as u32) as usize;
     let count = (UPDATES / particles).max(FEWEST_STEPS);
-    // Each rank steps a block of its own, all at once: they share memory and caches as in a run, and nobody waits.
+    // Each rank steps a block of its own, all at once: they share memory and caches as in a run, and no rank waits.
     let alone = comm.alone();
     let columns = block(scene, &plan, edge);
-    // The block is matter in open space, whatever holds the scene's.
+    // The block is matter in open space, whatever the boundaries of the scene.
     let settings = StepSettings { periods: Periods::OPEN, motions: None, ..plan.settings(scene) };
     let mut stepper = Stepper::<D>::new(&alone, columns, settings);
-    let told = |failure: Failure| failure.error(|body| &scene.bodies[body].name);
+    let as_error = |failure: Failure| failure.error(|body| &scene.bodies[body].name);
     let mut times = Times::default();
-    stepper.start().map_err(told)?;
+    stepper.start().map_err(as_error)?;
     let mut dt = stepper.state.next;
-    // What comes once, as memory that is touched for the first time, does not count.
+    // One-time costs, such as memory that is touched for the first time, do not count.
     times.leave_out(&stepper.phases);
     if let Some(own) = stepper.settings.gravity.as_mut().and_then(|gravity| gravity.own.as_mut()) {
         own.interval = GRAVITY_EVERY * dt;
     }
     for _ in 0..count {
-        dt = stepper.step(dt, stepper.state.time + dt, 0).map_err(told)?.dt;
+        dt = stepper.step(dt, stepper.state.time + dt, 0).map_err(as_error)?.dt;
         stepper.totals();
         times.note(&stepper.phases);
     }
@@ -169,15 +169,15 @@ impl Times {
         self.leave_out(phases);
     }
 
-    /// s of processor time of each part in a step that has it. Phases are wall time, and share out the processor time that was
-    /// spent, where others had the core meanwhile.
+    /// s of processor time of each part in a step that has it. Processor time is divided in proportion to
+    /// the wall time of the phases, as other processes may have used the core meanwhile.
     fn of_parts(&self) -> [f64; PARTS.len()] {
         let share = (self.spent / self.wall.max(1e-9)).min(1.0);
         std::array::from_fn(|k| share * self.seconds[k] / self.steps[k].max(1) as f64)
     }
 }
 
-/// bytes/s of a file that rank 0 writes into the folder it stands in, down to the disk; none where it may not. Collective.
+/// bytes/s of a file that rank 0 writes into the current folder, down to the disk; none where it may not. Collective.
 fn file_speed(comm: &Comm) -> Option<f64> {
     let write = || -> std::io::Result<f64> {
         let path = format!(".sph-mpi-check-{}.tmp", std::process::id());
@@ -200,7 +200,7 @@ fn block(scene: &Scene, plan: &setup::Plan, edge: u64) -> Columns {
     let number = (0..scene.bodies.len()).max_by_key(|&body| plan.constants[body].particles).unwrap_or(0);
     let (body, constants) = (&scene.bodies[number], &plan.constants[number]);
     let spacing = constants.smoothing_length / scene.numerics.eta;
-    // Cold gas has no speed of sound, and steps as any that moves.
+    // Cold gas has no speed of sound: any speed will do.
     let speed = MOTION * Some(scales::sound_speed(scene, number)).filter(|sound| *sound > 0.0).unwrap_or(1.0);
     let last = edge.pow(scene.dimension as u32);
     let core = plan.view.core;

@@ -1,29 +1,30 @@
-//! What a scene's gravity does to its particles:
+//! Gravity acting on the particles:
 //!
 //! ```text
 //! uniform    a = g, the same for all             potential energy  -m g.(x + n L)
 //! own        a = -grad phi of all particles      potential energy  m phi / 2
 //! ```
 //!
-//! Along a periodic axis of length L a particle that falls comes back from above: its n counts how often it has gone round, so that
-//! what gravity has done stays known. It acts on accelerations before prescribed motion does, so that what holds a particle also
-//! bears its weight. Over time uniform gravity gives all matter the momentum M g t; particles among each other give none.
+//! Along a periodic axis of length L a particle that falls re-enters from above: its n counts how often it has crossed the period,
+//! so that the work of gravity stays known. Gravity is added to accelerations before motion is prescribed, so that a held
+//! particle's support also bears its weight. Over time uniform gravity gives all matter the momentum M g t; particles' own gravity
+//! gives none.
 //!
 //! Evaluations of own gravity may be rarer than steps. A particle that kept the acceleration of the last one would be pulled to
-//! where the centre was: a body that turns by an angle of theta in one interval would gain angular momentum at first order in theta.
-//! Between evaluations n and n + 1 the field therefore goes on as it changed before, seconds `s` after t_n:
+//! where the centre was: a body that rotates by an angle of theta in one interval would gain angular momentum at first order in
+//! theta. Between evaluations n and n + 1 the field is therefore extrapolated, `s` seconds after t_n:
 //!
 //! ```text
 //! a = a_n + s u,    phi = phi_n + s (phi_n - phi_(n-1)) / T_n,    T_n = t_n - t_(n-1)
 //! u = d_n + 0.8 T_n / (T_n + T_(n-1)) (d_n - d_(n-1)),            d_n = (a_n - a_(n-1)) / T_n
 //! ```
 //!
-//! u is the rate at t_n - T_n / 10 of the parabola through the last three evaluations. Of a body or a pair that turns, the torque
+//! u is the rate at t_n - T_n / 10 of the parabola through the last three evaluations. For a rotating body or pair, the torque
 //! of the change alone (u = d_n) is on average a theta^3 / 3, that with the rate at t_n a theta^3 / 12 the other way; here
 //! theta^3 cancels. At the start the first interval is one step, and each next one at most twice as long as the one before.
 //!
-//! Columns, of own gravity only: `gravity`, `gravitational_potential`, as last evaluated; where evaluations are rarer than steps
-//! `gravity_rate`, `gravity_slope`, `gravitational_potential_rate`: u, d_n and that of phi; where uniform gravity acts along a
+//! Columns, with own gravity only: `gravity`, `gravitational_potential`, as last evaluated; where evaluations are rarer than steps
+//! `gravity_rate`, `gravity_slope`, `gravitational_potential_rate`: u, d_n and the rate of phi; where uniform gravity acts along a
 //! period: `rounds`, n.
 //! Time step: that of all accelerations.
 
@@ -36,9 +37,9 @@ use crate::particles::{Chunk, Column, ColumnInfo, Columns, Life, ParticleId, Rat
 
 /// Cells farther than their size over this see each other as expansions; nearer to 1 these converge too slowly.
 const ANGLE: f64 = 0.9;
-/// The same while accelerations, by which errors are measured, are not known yet.
+/// [`ANGLE`] while accelerations, by which errors are measured, are not known yet.
 const FIRST_ANGLE: f64 = 0.7;
-/// From the middle of the last interval to where the rate is taken, over the interval: there the torque of what turns cancels.
+/// From the middle of the last interval to where the rate is taken, over the interval: there the torque on a rotating body cancels.
 const FORWARD: f64 = 0.4;
 
 /// The gravity of a scene.
@@ -46,7 +47,7 @@ const FORWARD: f64 = 0.4;
 pub struct Attraction {
     /// m/s^2.
     pub uniform: Vec3,
-    /// How often particles went round the periods, whose lengths are in m; where uniform gravity acts along one.
+    /// How often particles crossed the periods, and the lengths of these, m; where uniform gravity acts along one.
     pub rounds: Option<(Column<Vec3>, Vec3)>,
     pub own: Option<OwnGravity>,
 }
@@ -58,7 +59,7 @@ pub struct OwnGravity {
     pub acceleration: Column<Vec3>,
     /// J/kg, at the same time.
     pub potential: Column<f64>,
-    /// How they change until the next time, where that is not the next step.
+    /// Rates of change until the next evaluation, where that is not the next step.
     pub rates: Option<FieldRates>,
     /// Error of one cell's expansion that a particle may feel, over its acceleration.
     pub accuracy: f64,
@@ -69,11 +70,11 @@ pub struct OwnGravity {
 /// Columns of how a kept field changes.
 #[derive(Debug, Clone, Copy)]
 pub struct FieldRates {
-    /// By which the acceleration goes on, m/s^3.
+    /// Rate u at which the acceleration is extrapolated, m/s^3.
     acceleration: Column<Vec3>,
-    /// By which it changed from the evaluation before to the last one, m/s^3.
+    /// Mean rate d_n of the acceleration over the last interval, m/s^3.
     slope: Column<Vec3>,
-    /// J/(kg s).
+    /// Rate of the potential, J/(kg s).
     potential: Column<f64>,
 }
 
@@ -94,7 +95,7 @@ impl Timing {
     }
 }
 
-/// Fields at particles, on their way.
+/// Fields at particles, being evaluated.
 pub type Evaluation<'a> = Overlapped<'a, Vec<Field>>;
 
 /// Particles as gravity sees them.
@@ -129,12 +130,12 @@ impl Attraction {
     }
 }
 
-/// Name of the column that counts rounds.
+/// Name of the column that counts crossings of the periods.
 pub const ROUNDS: &str = "rounds";
 
-/// Declares the count of rounds.
+/// Declares the count of crossings of the periods.
 pub fn declare_rounds(registry: &mut Registry) -> Column<Vec3> {
-    let about = "How often the particle went round each period, forwards less backwards.";
+    let about = "Crossings of each period by the particle, forwards less backwards.";
     let info = ColumnInfo { name: ROUNDS, unit: "", about, life: Life::State, snapshot: false };
     registry.owner("gravity").column(info)
 }
@@ -149,18 +150,18 @@ impl OwnGravity {
         let about = "Gravitational potential of all other particles, as last evaluated.";
         let potential = registry.column(kept("gravitational_potential", "J/kg", about, true));
         let rates = (interval > 0.0).then(|| {
-            let about = "By which the acceleration of gravity goes on until it is evaluated again.";
+            let about = "Rate at which the acceleration of gravity is extrapolated until it is evaluated again.";
             let acceleration = registry.column(kept("gravity_rate", "m/s^3", about, false));
-            let about = "By which it changed from the evaluation before to the last one.";
+            let about = "Mean rate of change of the acceleration of gravity between its last two evaluations.";
             let slope = registry.column(kept("gravity_slope", "m/s^3", about, false));
-            let about = "The same of the potential.";
+            let about = "Mean rate of change of the gravitational potential between its last two evaluations.";
             let potential = registry.column(kept("gravitational_potential_rate", "J/(kg s)", about, false));
             FieldRates { acceleration, slope, potential }
         });
         Self { acceleration, potential, rates, accuracy, interval }
     }
 
-    /// Seconds for which the last evaluation is to serve: what changed in a short time says little of a long one.
+    /// Seconds for which the last evaluation is used: a change over a short time says little about a long one.
     pub fn lasts(&self, timing: &Timing) -> f64 {
         timing.age.map_or(0.0, |_| self.interval.min(2.0 * timing.spans[0]))
     }
@@ -170,8 +171,8 @@ impl OwnGravity {
         timing.age.is_none_or(|age| age + 0.5 * dt >= self.lasts(timing))
     }
 
-    /// Its evaluation at all particles as they are, with other work meanwhile; [`OwnGravity::keep`] takes what it finds. `first`:
-    /// it never was before. Collective.
+    /// Starts an evaluation at all particles as they are, with other work meanwhile; [`OwnGravity::keep`] takes its result.
+    /// `first`: there was none before. Collective.
     pub fn evaluation<'a>(&self, columns: &Columns, matter: &Matter, first: bool, comm: &'a Comm) -> Evaluation<'a> {
         let order = order(self.accuracy);
         let opening = Opening { angle: ANGLE, accuracy: self.accuracy, order };
@@ -188,7 +189,7 @@ impl OwnGravity {
         })
     }
 
-    /// Takes over what an evaluation has found, in the order of the particles that it was begun with, `timing.age` seconds after the
+    /// Takes over the result of an evaluation, in the order of the particles that it was begun with, `timing.age` seconds after the
     /// one before.
     pub fn keep(&self, columns: &mut Columns, fields: &[Field], timing: &mut Timing) {
         timing.restart();
@@ -222,8 +223,8 @@ impl OwnGravity {
     }
 }
 
-/// The rate by which an acceleration goes on, and its slope: from the last two values, the slope before and the spans, as in
-/// [`Timing`].
+/// The rate at which an acceleration is extrapolated, and its slope: from the last two values, the slope before and the spans, as
+/// in [`Timing`].
 fn rates_after(before: Vec3, now: Vec3, slope_before: Vec3, spans: &[f64; 2]) -> [Vec3; 2] {
     let [span, span_before] = *spans;
     if span == 0.0 {
@@ -256,7 +257,7 @@ mod tests {
     fn gravity_is_due_at_the_step_nearest_to_its_time() {
         let own = OwnGravity::declare(&mut Registry::new(3), 0.01, 10.0);
         let timing = |age: Option<f64>| Timing { age, spans: [10.0; 2] };
-        assert!(own.is_due(&timing(None), 1.0), "it never was before");
+        assert!(own.is_due(&timing(None), 1.0), "there was none before");
         for (since, dt, due) in [
             (0.0, 1.0, false),
             (9.4, 1.0, false),
@@ -271,7 +272,7 @@ mod tests {
         assert!(always.is_due(&timing(Some(0.0)), 1e-9));
     }
 
-    /// The mean torque of a kept field on what turns by `turn` in an interval, over its acceleration.
+    /// The mean torque of an extrapolated field on a body that rotates by `turn` in an interval, over its acceleration.
     fn torque(turn: f64, spans: [f64; 2]) -> f64 {
         let pull = |angle: f64| Vec3::new(-angle.cos(), -angle.sin(), 0.0);
         let at = |time: f64| pull(turn * time);

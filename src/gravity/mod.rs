@@ -1,5 +1,5 @@
-//! Newtonian gravity: what it does to particles ([`attraction`]), and the field of bodies on each other ([`multipole`]), which also
-//! says what is bound ([`crate::outcome::bound`]).
+//! Newtonian gravity: its action on particles ([`attraction`]), and the field of bodies on each other ([`multipole`]), which also
+//! serves to find what is bound ([`crate::outcome::bound`]).
 
 pub mod attraction;
 pub mod multipole;

@@ -1,5 +1,5 @@
-//! Damage: who has it, and what it does to the stress that acts. Fracture makes it grow (see `fracture`); strength with friction
-//! reads it before, as broken rock yields at less (see `strength`); neighbours see a stress that it has weakened.
+//! The column of damage, and its effect on the acting stress. Fracture makes it grow (see `fracture`); strength with friction
+//! reads it before, as broken rock yields at less (see `strength`); the pair sums use the weakened stress.
 
 use crate::math::{Deviator, Sym};
 use crate::particles::{Column, ColumnInfo, Life, Registry};
@@ -17,14 +17,14 @@ pub fn damage_column(registry: &mut Registry) -> Column<f64> {
 }
 
 /// The stress that acts, where `s` and `pressure` are those of undamaged matter: (1 - D) S - P_D 1, with P_D = (1 - D)
-/// P in tension and P in compression (Jutzi et al. 2008, eq. 36, for tension). With `friction` S has the damage in it already
-/// (Jutzi 2015, see `strength`). The pair sums and their energy use this view.
+/// P in tension and P in compression (Jutzi et al. 2008, eq. 36, for tension). With `friction` the yield strength of S accounts for
+/// damage already (Jutzi 2015, see `strength`). The pair sums and their energy use this stress.
 #[inline]
 pub fn damaged_stress(s: &Deviator, pressure: f64, damage: f64, friction: bool) -> Sym {
     s.with_mean(if friction { 1.0 } else { 1.0 - damage }, -damaged_pressure(pressure, damage))
 }
 
-/// P_D alone: broken matter does not pull.
+/// P_D alone: broken matter bears no tension.
 #[inline]
 pub fn damaged_pressure(pressure: f64, damage: f64) -> f64 {
     if pressure < 0.0 { (1.0 - damage) * pressure } else { pressure }
@@ -34,7 +34,7 @@ pub fn damaged_pressure(pressure: f64, damage: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// What damage leaves: all of it at D = 0, compression alone at D = 1.
+    /// The stress that damage leaves: all of it at D = 0, compression alone at D = 1.
     #[test]
     fn broken_matter_cannot_pull() {
         let s = Deviator { xx: 3.0, yy: -1.0, xy: 0.5, xz: 0.2, yz: -0.7 };

@@ -32,7 +32,7 @@ impl MaterialEffect for Continuity {
     fn initialise(&self, local: &Local) {
         let density = local.view(self.density.value);
         for (body, range) in local.runs() {
-            // What the scene has set stays.
+            // Densities set by the scene stay.
             for i in range.filter(|&i| density.get(i) == 0.0) {
                 density.set(i, local.constants[body].density);
             }
@@ -42,8 +42,8 @@ impl MaterialEffect for Continuity {
     fn rates(&self, local: &Local) {
         let density = local.view(self.density.value);
         let rate = local.rate(self.density);
-        for (i, motion) in local.motion.iter().enumerate() {
-            rate.set(i, -density.get(i) * motion.velocity_gradient.trace());
+        for (i, flow) in local.flow.iter().enumerate() {
+            rate.set(i, -density.get(i) * flow.velocity_gradient.trace());
         }
     }
 
@@ -61,8 +61,8 @@ impl MaterialEffect for Continuity {
 
     fn step_limit(&self, local: &Local) -> Option<StepLimit> {
         let mut fastest = (0.0, 0);
-        for (i, motion) in local.motion.iter().enumerate() {
-            let divergence = motion.velocity_gradient.trace().abs();
+        for (i, flow) in local.flow.iter().enumerate() {
+            let divergence = flow.velocity_gradient.trace().abs();
             if divergence > fastest.0 {
                 fastest = (divergence, i);
             }

@@ -2,19 +2,19 @@
 //! takes (after Raducan & Jutzi 2022, PSJ 3, 128: the simplest law of pressure, without heat, with both moduli lowered alike).
 //!
 //! ```text
-//! P = A' (alpha rho / rho_0 - 1) / alpha        instead of the equation of state; heat presses no more
+//! P = A' (alpha rho / rho_0 - 1) / alpha        instead of the equation of state; heat adds no pressure
 //! mu' = mu A' / A,   S' = S A' / A              at the same elastic strain, so that stress falls as pressure does
 //! alpha                                         stays as it is, pores under load included
 //! u' = u + e' - e,   e = [ w_P P_s^2 / (2 A) + w_S S_s:S_s / (4 mu) ] / rho_s
 //! ```
 //! P pressure, S deviatoric stress of the body, P_s = alpha P and S_s = alpha S those of its matrix, A bulk modulus of the matrix
 //! at rest, mu shear modulus, Pa; rho density, rho_s = alpha rho, kg/m^3; alpha distention; u internal energy, e the part of it
-//! that is stored elastically, J/kg, to second order in the strain, with A in place of rho_s c^2; a prime marks what is after the
+//! that is stored elastically, J/kg, to second order in the strain, with A in place of rho_s c^2; a prime marks values after the
 //! switch. w_P is 1 - D in tension, else 1; w_S 1 - D without friction, else 1; D damage.
 //!
-//! What is a stress stays as it is: yield strength, cohesion, friction, and the stress at which a flaw opens (its strain times
-//! Young's modulus of the stiff matter). Tension still fades below 0.95 rho_0, so that soft matter pulls with 0.056 A' at most.
-//! Vapour has no pressure left once it is thinner than rho_0; viscosity goes by the new speed of sound.
+//! Limits that are stresses stay as they are: yield strength, cohesion, friction, and the stress at which a flaw opens (its strain
+//! times Young's modulus of the stiff matter). Tension still fades below 0.95 rho_0, so that the tension of soft matter is 0.056 A'
+//! at most. Vapour has no pressure left once its density is below rho_0; viscosity uses the new speed of sound.
 
 use super::MaterialTable;
 use super::eos::Eos;
@@ -22,7 +22,7 @@ use super::eos::simplified_tillotson::{SimplifiedTillotson, SimplifiedTillotsonT
 use crate::math::Deviator;
 use crate::units::{Density, Number, Pressure};
 
-/// Resistance of a matrix to strain.
+/// Elastic moduli of a matrix.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stiffness {
     /// A, Pa.
@@ -31,7 +31,7 @@ pub struct Stiffness {
     pub shear: f64,
 }
 
-/// What acts in a particle.
+/// The stress in a particle and what it depends on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Load {
     /// kg/m^3.
@@ -57,7 +57,7 @@ impl Stiffness {
     }
 }
 
-/// The matter of one body before and after.
+/// The matter of one body before and after the switch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Softening {
     /// Density of the matrix without load, kg/m^3.
@@ -68,7 +68,7 @@ pub struct Softening {
 }
 
 impl Softening {
-    /// To the bulk modulus `to`, Pa; none for a gas, which has no modulus.
+    /// The switch to the bulk modulus `to`, Pa; `None` for a gas, which has no modulus.
     pub fn new(material: &MaterialTable, to: f64) -> Option<Self> {
         let law = material.eos.law();
         let (rho_0, bulk) = (law.reference_density()?, law.bulk_modulus()?);
@@ -170,10 +170,10 @@ mod tests {
         material.porosity = Some(toml::from_str(text).unwrap());
         let mut rig = Rig::new(material);
         let alpha = rig.column::<f64>(porosity::DISTENTION);
-        let squeeze = Mat3::from_diagonal_element(-1.0);
-        rig.step(&squeeze, 0.0);
+        let compression = Mat3::from_diagonal_element(-1.0);
+        rig.step(&compression, 0.0);
         (0..20).for_each(|_| {
-            rig.step(&squeeze, 1e-3);
+            rig.step(&compression, 1e-3);
         });
         let (late, _) = softened(1e7);
         let kept = rig.get(alpha);
@@ -183,7 +183,7 @@ mod tests {
             (0..20).for_each(|_| {
                 rig.step(&Mat3::from_diagonal_element(sign), 1e-3);
             });
-            // The corrector has moved density on.
+            // The corrector has advanced density.
             rig.each(0.0, &[], |effect, local| effect.update(local));
             assert_eq!(rig.get(alpha), kept);
             let matrix = kept * rig.get(rig.core.density.value) / 2700.0;

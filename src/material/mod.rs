@@ -1,5 +1,5 @@
 //! Material effects: local physics of one particle, one file each. An effect opens with its equations and their source,
-//! holds the table by which a scene asks for it, declares the columns it owns, and acts on chunks.
+//! holds the table by which a scene requests it, declares the columns it owns, and acts on chunks.
 //!
 //! Sign conventions, stated once: stress is positive in tension, pressure positive in compression, sigma = S - P 1;
 //! L[(a, b)] = d v_a / d x_b.
@@ -42,10 +42,10 @@ macro_rules! material_effects {
             }
         }
 
-        /// The columns of every scene and the effects its materials ask for, in the order in which they act.
+        /// The columns of every scene and the effects that its materials request, in the order in which they act.
         ///
         /// # Errors
-        /// Where one needs what the others do not give.
+        /// Where one needs what the others do not provide.
         pub fn effects(setup: &Setup, registry: &mut Registry) -> Result<(Core, Vec<Box<dyn MaterialEffect>>)> {
             let core = declare_core(registry);
             let mut effects: Vec<Box<dyn MaterialEffect>> = Vec::new();
@@ -57,7 +57,7 @@ macro_rules! material_effects {
     };
 }
 
-// Every material effect there is: file and type, and the table that asks for it. They act in this order, so an effect
+// Every material effect there is: file and type, and the table that requests it. They act in this order, so an effect
 // may use what those above it have brought up to date.
 material_effects! {
     /// Density follows the flow.
@@ -103,12 +103,12 @@ impl MaterialTable {
         self.strength.as_ref().is_some_and(strength::StrengthTable::has_friction)
     }
 
-    /// Distention that a body of it has unless it says otherwise, 1 without pores.
+    /// Distention of its bodies that do not set their own, 1 without pores.
     pub fn distention(&self) -> f64 {
         self.porosity.as_ref().map_or(1.0, |table| table.distention.0)
     }
 
-    /// Whether heat takes its strength.
+    /// Whether its strength falls with heat.
     pub fn melts(&self) -> bool {
         self.strength.as_ref().is_some_and(|strength| strength.melting.is_some())
     }
@@ -124,7 +124,7 @@ pub struct Core {
     pub id: Column<ParticleId>,
     pub position: Column<Vec3>,
     pub velocity: Column<Vec3>,
-    /// Position at the last list build; lists and ghosts stand on it until the next.
+    /// Position at the last list build; lists and ghosts are based on it until the next.
     pub build_position: Column<Vec3>,
     pub density: Integrated<f64>,
     /// Set by the equation of state, read when pair records are packed.
@@ -133,7 +133,7 @@ pub struct Core {
     pub sound_speed: Column<f64>,
 }
 
-/// What is the same for all particles of a body.
+/// Quantities that are the same for all particles of a body.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct BodyConstants {
     /// Mass of one particle, kg (per metre of depth in 2D).
@@ -148,10 +148,10 @@ pub struct BodyConstants {
     pub distention: f64,
 }
 
-/// What the pair loop found out about one particle.
+/// The flow around one particle, from the sums over its pairs.
 #[derive(Debug, Clone, Copy)]
-pub struct Motion {
-    /// Velocity gradient, corrected where the scene asks for it, 1/s.
+pub struct LocalFlow {
+    /// Velocity gradient, corrected where the scene requests it, 1/s.
     pub velocity_gradient: Mat3,
     /// du/dt by stress and viscosity, the counterpart of the momentum sums, J/(kg s).
     pub heating: f64,
@@ -163,8 +163,8 @@ pub struct Local<'a> {
     /// Body of each particle.
     pub bodies: &'a [u16],
     pub constants: &'a [BodyConstants],
-    /// Motion of each particle; empty outside `rates`.
-    pub motion: &'a [Motion],
+    /// Flow around each particle; empty outside `rates` and `step_limit`.
+    pub flow: &'a [LocalFlow],
     /// Rates of the integrated columns; an effect writes those of its own within `rates`.
     pub rates: &'a Rates,
     /// Seconds since the last commit; only within `commit`.
@@ -195,7 +195,7 @@ impl Local<'_> {
         self.chunk.view(column)
     }
 
-    /// A column that some scenes do without.
+    /// A column that is absent in some scenes.
     #[inline]
     pub fn optional(&self, column: Option<Column<f64>>) -> OrZero<'_> {
         OrZero(column.map(|column| self.view(column)))
@@ -233,46 +233,46 @@ pub struct Diagnostic {
     pub unit: &'static str,
 }
 
-/// Local physics. Methods are called once per chunk; each loops over the particles its bodies have it for.
+/// Local physics. Methods are called once per chunk; each loops over the particles of the bodies that have the effect.
 pub trait MaterialEffect: Send + Sync {
-    /// Declares the columns of the effect, or `None` where no material of the scene asks for it: then nothing of it
+    /// Declares the columns of the effect, or `None` where no material of the scene requests it: then nothing of it
     /// exists.
     ///
     /// # Errors
-    /// Where a material asks for it, and the effects above do not give what it needs.
+    /// Where a material requests it, and the effects above do not provide what it needs.
     fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Result<Option<Self>>
     where
         Self: Sized;
 
     fn name(&self) -> &'static str;
 
-    /// State that new particles start with, beyond zero; called once, when they are made.
+    /// Sets the initial state of new particles where it is not zero; called once, when they are made.
     fn initialise(&self, _local: &Local) {}
 
-    /// Rates of the integrated columns at the state that the pair loop saw.
+    /// Rates of the integrated columns at the state of the last pair loop.
     fn rates(&self, _local: &Local) {}
 
-    /// Returns a state that the integrator has moved to what the material can bear (yield surface, least density). Must be
+    /// Returns a state that the integrator has moved to the nearest admissible one (yield surface, least density). Must be
     /// idempotent.
     fn admit(&self, _local: &Local) {}
 
-    /// Brings up to date what follows from the state: pressure, sound speed, and what a load has changed since the last commit. An
+    /// Updates what follows from the state: pressure, sound speed, and changes by load since the last commit. An
     /// integrator may try several states before it accepts one; for each it sets the state columns back first.
     fn update(&self, _local: &Local) {}
 
-    /// Takes over what never goes back (damage, peaks), once for each step that is accepted, after `update`: it grows by
+    /// Commits irreversible changes (damage, peaks), once for each step that is accepted, after `update`, over
     /// `local.dt`.
     fn commit(&self, _local: &Local) {}
 
-    /// The largest time step, evaluated after `rates` with `local.motion` and new rates at hand.
+    /// The largest time step, evaluated after `rates` with `local.flow` and new rates at hand.
     fn step_limit(&self, _local: &Local) -> Option<StepLimit> {
         None
     }
 
-    /// Goes over to the soft matter of the late stage (see `late`).
+    /// Switches to the soft matter of the late stage (see `late`).
     fn soften(&mut self, _late: &Late) {}
 
-    /// Brings the state of particles over to it; called once, before the next `update`.
+    /// Converts the state of particles to the late stage; called once, before the next `update`.
     fn carry_over(&self, _local: &Local, _late: &Late) {}
 
     /// Sums this effect reports, and particle `i`'s share of each.

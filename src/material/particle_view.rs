@@ -1,31 +1,31 @@
-//! What the step asks of a particle, whatever effects a scene has: its smoothing length, damage, viscosity and the stress that
-//! its neighbours see. Each is a column in some scenes and a number of the body in others; who asks need not know.
+//! Access to a particle's smoothing length, damage, viscosity and the stress that acts on its neighbours, whatever effects a scene
+//! has. Each is a column in some scenes and a number of the body in others; the caller need not know.
 
 use super::damage::{DAMAGE, damaged_pressure, damaged_stress};
 use super::{BodyConstants, Core, MaterialTable, Setup, porosity, smoothing_length, strength};
 use crate::math::{Deviator, Sym};
 use crate::particles::{Column, Registry, Values};
 
-/// The columns and numbers behind it.
+/// The columns and numbers of particles that the step reads.
 #[derive(Debug, Clone)]
 pub struct ParticleView {
     pub core: Core,
     pub constants: Vec<BodyConstants>,
     bodies: Vec<BodyTraits>,
-    /// Now and at the last list build, where it varies.
+    /// Smoothing length now and at the last list build, where it varies.
     smoothing_length: Option<[Column<f64>; 2]>,
     damage: Option<Column<f64>>,
     deviatoric_stress: Option<Column<Deviator>>,
     distention: Option<Column<f64>>,
-    /// The speed that viscosity goes by in bodies that ask for it.
+    /// The speed that viscosity uses in bodies that request it.
     loading_speed: Option<Column<f64>>,
 }
 
-/// What the material of a body says.
+/// Properties of a body by its material.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct BodyTraits {
     viscosity: Viscosity,
-    /// Whether viscosity goes by the speed of further compression.
+    /// Whether viscosity uses the speed of further compression.
     by_loading: bool,
     /// Whether damage acts on shear through the yield strength alone.
     friction: bool,
@@ -88,7 +88,7 @@ impl ParticleView {
         }
     }
 
-    /// The same at the last list build.
+    /// h of particle `i` of `body` at the last list build, m.
     #[inline]
     pub fn smoothing_length_at_build(&self, particles: &impl Values, i: usize, body: usize) -> f64 {
         match self.smoothing_length {
@@ -125,20 +125,20 @@ impl ParticleView {
         self.bodies[body].viscosity
     }
 
-    /// The speed by which viscosity goes, m/s.
+    /// The speed that viscosity uses, m/s.
     #[inline]
     pub fn viscous_speed(&self, particles: &impl Values, i: usize, body: usize) -> f64 {
         let loading = self.loading_speed.filter(|_| self.bodies[body].by_loading);
         particles.value(loading.unwrap_or(self.core.sound_speed), i)
     }
 
-    /// The pressure that neighbours see, Pa.
+    /// The pressure that acts on neighbours, Pa.
     #[inline]
     pub fn acting_pressure(&self, particles: &impl Values, i: usize, body: usize) -> f64 {
         damaged_pressure(particles.value(self.core.pressure, i), self.damage(particles, i, body))
     }
 
-    /// The stress that neighbours see, Pa: deviator and tension weakened by damage, never written back.
+    /// The stress that acts on neighbours, Pa: deviator and tension weakened by damage, never written back.
     #[inline]
     pub fn acting_stress(&self, particles: &impl Values, i: usize, body: usize) -> Sym {
         let s = self.deviatoric_stress(particles, i);

@@ -1,4 +1,4 @@
-//! Records: the largest values that a particle has seen, each asked for by its key in `[record]`.
+//! Records: the largest values that a particle has reached, each requested by its key in `[record]`.
 //!
 //! ```text
 //! peak pressure     max P over all steps
@@ -35,7 +35,7 @@ impl Records {
     pub fn validate(&self, materials: &[MaterialTable]) -> Result<()> {
         let known = materials.iter().any(|material| material.eos.law().vaporisation().is_some());
         match [("melt_fraction", self.melt_fraction), ("vapour_fraction", self.vapour_fraction)].iter().find(|r| r.1) {
-            Some((key, _)) if !known => Err(Error::new(format!("{key} is asked for, but no material can vaporise"))
+            Some((key, _)) if !known => Err(Error::new(format!("{key} is requested, but no material can vaporise"))
                 .at(format!("record.{key}"))
                 .allowed("scenes with a Tillotson equation of state")),
             _ => Ok(()),
@@ -82,9 +82,9 @@ struct Share {
     diagnostic: Diagnostic,
 }
 
-/// The columns that the scene asks for.
+/// The columns that the scene requests.
 pub struct Record {
-    /// Where a record goes by it.
+    /// Where a record depends on it.
     energy: Option<Column<f64>>,
     pressure: Column<f64>,
     peak_pressure: Option<Column<f64>>,
@@ -114,14 +114,14 @@ impl MaterialEffect for Record {
         let mut shares = Vec::new();
         if records.melt_fraction {
             shares.extend(PerBody::new(setup, |_, material| Rise::melting(material)).map(|rises| Share {
-                record: column("melt_fraction", "", "Largest molten share so far."),
+                record: column("melt_fraction", "", "Largest molten fraction so far."),
                 rises,
                 diagnostic: Diagnostic { name: "melted_mass", unit: "kg" },
             }));
         }
         if records.vapour_fraction {
             shares.extend(PerBody::new(setup, |_, material| Rise::vaporisation(material)).map(|rises| Share {
-                record: column("vapour_fraction", "", "Largest vaporised share so far."),
+                record: column("vapour_fraction", "", "Largest vaporised fraction so far."),
                 rises,
                 diagnostic: Diagnostic { name: "vaporised_mass", unit: "kg" },
             }));

@@ -1,4 +1,4 @@
-//! What effects are set up from: the scene's materials and bodies, and what is common to the tables that describe them.
+//! The input of effects: the scene's materials and bodies, and code shared by the tables that describe them.
 
 use std::ops::Range;
 
@@ -27,12 +27,12 @@ impl Setup<'_> {
     }
 }
 
-/// Parameters of an effect, one set per body whose material asks for it.
+/// Parameters of an effect, one set per body whose material requests it.
 #[derive(Debug, Clone)]
 pub struct PerBody<P>(Vec<Option<P>>);
 
 impl<P> PerBody<P> {
-    /// Asks `parameters` for each body; `None` when no body has any.
+    /// Calls `parameters` for each body; `None` when no body has any.
     pub fn new(setup: &Setup, parameters: impl Fn(usize, &MaterialTable) -> Option<P>) -> Option<Self> {
         let all: Vec<_> = (0..setup.constants.len()).map(|body| parameters(body, setup.material(body))).collect();
         all.iter().any(Option::is_some).then_some(Self(all))

@@ -4,7 +4,7 @@
 //!
 //! h_0 and rho_0 are those of the body at the start (Benz 1990, in The Numerical Modelling of Nonlinear Stellar Pulsations,
 //! eq. 2.20, in closed form). Columns: smoothing_length (m) and its value at the last list build, on which lists and ghosts
-//! stand. No time-step limit of its own: density changes by a limited share per step already.
+//! are based. No time-step limit of its own: density changes by a limited share per step already.
 
 use super::{Core, Local, MaterialEffect, Setup};
 use crate::error::Result;
@@ -33,7 +33,7 @@ impl MaterialEffect for SmoothingLength {
         let Some(bounds) = setup.smoothing_length else { return Ok(None) };
         let info = |name, about, life| ColumnInfo { name, unit: "m", about, life, snapshot: false };
         registry.owner("smoothing_length");
-        let about = "Smoothing length; the support is twice it.";
+        let about = "Smoothing length; the radius of the kernel's support is twice as large.";
         let value = registry.column(info(SMOOTHING_LENGTH, about, Life::State));
         registry.column::<f64>(info(AT_BUILD, "Smoothing length at the last list build.", Life::Kept));
         Ok(Some(Self { bounds, planar: setup.dimension == 2, value, density: core.density }))
@@ -83,7 +83,7 @@ mod tests {
         let mut registry = Registry::new(dimension);
         let core = declare_core(&mut registry);
         let effect = SmoothingLength::declare(&setup, &mut registry, &core).expect("nothing is missing");
-        let effect = effect.expect("bounds ask for it");
+        let effect = effect.expect("bounds request it");
         let rates = Rates::new(&registry);
         let mut columns = Columns::new(registry);
         columns.resize(1);
@@ -91,14 +91,7 @@ mod tests {
         let chunks = Chunks::new(&mut columns, Vec::new());
         // SAFETY: the only chunk.
         let chunk = unsafe { chunks.chunk(0..1) };
-        effect.update(&Local {
-            chunk: &chunk,
-            bodies: &[0],
-            constants: &constants,
-            motion: &[],
-            rates: &rates,
-            dt: 0.0,
-        });
+        effect.update(&Local { chunk: &chunk, bodies: &[0], constants: &constants, flow: &[], rates: &rates, dt: 0.0 });
         columns.get(effect.value, 0) / smoothing_length
     }
 

@@ -3,7 +3,7 @@
 
 use super::damage::{DAMAGE, damaged_stress};
 use super::strength;
-use super::{BodyConstants, Core, Local, MaterialEffect, MaterialTable, Motion, Records, Setup, StepLimit, effects};
+use super::{BodyConstants, Core, Local, LocalFlow, MaterialEffect, MaterialTable, Records, Setup, StepLimit, effects};
 use crate::error::Result;
 use crate::math::{Deviator, Mat3};
 use crate::particles::chunk::Chunks;
@@ -124,8 +124,8 @@ impl Rig {
         self.columns.set(column, 0, value);
     }
 
-    /// Calls `act` for every effect in order; `update` and `initialise` need no motion.
-    pub fn each(&mut self, dt: f64, motion: &[Motion], mut act: impl FnMut(&dyn MaterialEffect, &Local)) {
+    /// Calls `act` for every effect in order; `update` and `initialise` need no flow.
+    pub fn each(&mut self, dt: f64, flow: &[LocalFlow], mut act: impl FnMut(&dyn MaterialEffect, &Local)) {
         let new_rates = Rates::new(&self.columns.registry);
         let integrated = self.columns.registry.integrated.clone();
         let len = self.columns.len();
@@ -133,11 +133,11 @@ impl Rig {
         // SAFETY: the only chunk.
         let chunk = unsafe { chunks.chunk(0..len) };
         let (bodies, constants) = (&self.bodies, &self.constants);
-        let local = Local { chunk: &chunk, bodies, constants, motion, rates: &new_rates, dt };
+        let local = Local { chunk: &chunk, bodies, constants, flow, rates: &new_rates, dt };
         for effect in &self.effects {
             act(effect.as_ref(), &local);
         }
-        if motion.is_empty() {
+        if flow.is_empty() {
             return;
         }
         // The corrector: the mean of the old and the new rate replaces the old one.
@@ -161,11 +161,11 @@ impl Rig {
         self.each(dt, &[], |effect, local| effect.admit(local));
         self.each(dt, &[], |effect, local| effect.update(local));
         self.each(dt, &[], |effect, local| effect.commit(local));
-        let motion: Vec<_> = (0..self.columns.len())
-            .map(|i| Motion { velocity_gradient: *gradient, heating: self.heating(i, gradient) })
+        let flow: Vec<_> = (0..self.columns.len())
+            .map(|i| LocalFlow { velocity_gradient: *gradient, heating: self.heating(i, gradient) })
             .collect();
         let mut limits = Vec::new();
-        self.each(dt, &motion, |effect, local| {
+        self.each(dt, &flow, |effect, local| {
             effect.rates(local);
             limits.extend(effect.step_limit(local));
         });

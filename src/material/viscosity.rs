@@ -2,8 +2,8 @@
 //! (-alpha c mu + beta mu^2) / rho, mu = h v.x / (r^2 + 0.01 h^2) (Monaghan & Gingold 1983), with alpha and beta as
 //! means over the pair.
 //!
-//! c is the speed of sound, or, in porous bodies that ask for it, that of further compression (`porosity`). Where pores give way
-//! this is slower by far: weak waves of compaction then keep their width, which with sound would be many times that. Strong shocks
+//! c is the speed of sound, or, in porous bodies that request it, that of further compression (`porosity`). Where pores collapse
+//! this is much lower: weak waves of compaction then keep their width, which with sound would be many times that. Strong shocks
 //! into highly porous matter need the speed of sound: pumice at 3 km/s is 26 per cent off in pressure without it.
 
 use schemars::JsonSchema;
@@ -54,12 +54,12 @@ impl Table for ViscosityTable {
 }
 
 impl MaterialTable {
-    /// alpha and beta; `None` where the scene goes without viscosity.
+    /// alpha and beta; `None` where the scene has no viscosity.
     pub fn viscosity_coefficients(&self) -> Option<[f64; 2]> {
         self.viscosity.map(|table| [table.alpha.0, table.beta.0])
     }
 
-    /// Whether viscosity goes by the speed of further compression.
+    /// Whether viscosity uses the speed of further compression.
     pub fn has_loading_speed(&self) -> bool {
         self.viscosity.is_some_and(|table| table.speed == ViscousSpeed::Loading)
     }

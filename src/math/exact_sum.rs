@@ -1,6 +1,6 @@
-//! Sums that no order can change. Every finite f64 is a whole multiple of 2^-1074, so a sum of them is an integer; it is
-//! kept in wide fixed point, 32 bits to a limb, each limb in an i64 whose upper half collects carries. Limbs of different
-//! ranks may be added as plain integers. The value is rounded once, at the end.
+//! Sums that do not depend on the order of their terms. Every finite f64 is a whole multiple of 2^-1074, so a sum of them is an
+//! integer; it is kept in wide fixed point, 32 bits to a limb, each limb in an i64 whose upper half collects carries. Limbs of
+//! different ranks may be added as plain integers. The value is rounded once, at the end.
 
 /// Bits of payload per limb.
 const LIMB_BITS: usize = 32;

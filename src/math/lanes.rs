@@ -32,7 +32,7 @@ pub fn width() -> Width {
         } else {
             Width::Portable
         };
-        match wish(&std::env::var(WISH).unwrap_or_default()) {
+        match requested(&std::env::var(VARIABLE).unwrap_or_default()) {
             Ok(Some(Width::Portable)) => Width::Portable,
             Ok(Some(Width::Avx2)) if avx2 => Width::Avx2,
             Ok(Some(Width::Avx512)) if avx512 => Width::Avx512,
@@ -41,21 +41,23 @@ pub fn width() -> Width {
     })
 }
 
-/// Names an instruction set in the environment.
-const WISH: &str = "SPH_MPI_SIMD";
+/// Environment variable that requests an instruction set.
+const VARIABLE: &str = "SPH_MPI_SIMD";
 
-/// An error where the environment names an instruction set that is none.
-pub fn check_wish() -> Result<()> {
-    wish(&std::env::var_os(WISH).unwrap_or_default().to_string_lossy()).map(drop)
+/// An error where the environment requests an unknown instruction set.
+pub fn check_requested() -> Result<()> {
+    requested(&std::env::var_os(VARIABLE).unwrap_or_default().to_string_lossy()).map(drop)
 }
 
-fn wish(name: &str) -> Result<Option<Width>> {
+fn requested(name: &str) -> Result<Option<Width>> {
     match name {
         "" => Ok(None),
         "portable" => Ok(Some(Width::Portable)),
         "avx2" => Ok(Some(Width::Avx2)),
         "avx512" => Ok(Some(Width::Avx512)),
-        _ => Err(Error::new(format!("`{name}` is no instruction set")).at(WISH).allowed("portable, avx2, avx512")),
+        _ => Err(Error::new(format!("`{name}` is not an instruction set"))
+            .at(VARIABLE)
+            .allowed("portable, avx2, avx512")),
     }
 }
 
@@ -92,7 +94,7 @@ pub unsafe trait Lanes: Copy {
     unsafe fn read(at: *const f64) -> Self;
     /// Numbers 0..4 behind `base + offsets[lane]`, one vector per number.
     unsafe fn read_quad(base: *const f64, offsets: &[usize; LANES]) -> [Self; 4];
-    /// The numbers of which the first 32 bits stand in the lower or in the upper half of each lane.
+    /// The numbers whose first 32 bits are in the lower or in the upper half of each lane.
     unsafe fn half(self, upper: bool) -> Self;
     /// ((0+1)+(2+3)) + ((4+5)+(6+7)) of each of eight vectors.
     unsafe fn fold(v: [Self; 8]) -> [f64; 8];
@@ -586,9 +588,9 @@ mod tests {
     }
 
     #[test]
-    fn a_wish_is_understood_or_refused() {
-        assert_eq!((wish("").unwrap(), wish("avx2").unwrap()), (None, Some(Width::Avx2)));
-        let error = wish("avx1024").unwrap_err().to_string();
+    fn a_request_is_understood_or_refused() {
+        assert_eq!((requested("").unwrap(), requested("avx2").unwrap()), (None, Some(Width::Avx2)));
+        let error = requested("avx1024").unwrap_err().to_string();
         assert!(error.contains("SPH_MPI_SIMD: `avx1024`") && error.contains("avx512"), "{error}");
     }
 }

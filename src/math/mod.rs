@@ -1,4 +1,4 @@
-//! Small vectors and tensors, vectors of eight lanes, sums that no order can change.
+//! Small vectors and tensors, vectors of eight lanes, sums that do not depend on order.
 
 pub mod exact_sum;
 pub mod lanes;

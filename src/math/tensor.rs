@@ -169,7 +169,7 @@ impl Deviator {
         }
     }
 
-    /// Omega S - S Omega with the spin Omega = (L - L^T)/2: the stress turns with the body (Jaumann rate).
+    /// Omega S - S Omega with the spin Omega = (L - L^T)/2: the stress rotates with the body (Jaumann rate).
     #[inline]
     pub fn turned_by(&self, l: &Mat3) -> Self {
         let (wxy, wxz, wyz) =
@@ -202,7 +202,7 @@ mod tests {
         assert!((matrix(&s.turned_by(&l)) - expected).norm() < 1e-14);
     }
 
-    /// Turning diag(1, -1, 0) by 45 degrees (counter-clockwise) gives S_xy = +1.
+    /// Rotating diag(1, -1, 0) by 45 degrees (counter-clockwise) gives S_xy = +1.
     #[test]
     fn rotation_by_45_degrees_gives_positive_shear() {
         let l = Mat3::new(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0);

@@ -7,8 +7,8 @@
 //! damping           a' = a - (v - V) / tau          (V: the velocity at the start; for ever, or until a time)
 //! ```
 //!
-//! What holds a particle does work on it and takes up momentum. Both are integrated like everything else, so that a run with
-//! walls still knows whether it conserves: dW/dt = m (a' - a).v and dJ/dt = m (a' - a), with a the free acceleration. Energy
+//! A prescribed motion does work on a particle and changes its momentum. Both are integrated like other quantities, so that
+//! conservation can be checked with walls, too: dW/dt = m (a' - a).v and dJ/dt = m (a' - a), with a the free acceleration. Energy
 //! less W and momentum less J stay constant.
 
 use serde::{Deserialize, Serialize};
@@ -21,8 +21,8 @@ const DAMPING_STEP: f64 = 0.25;
 
 /// How a particle may move.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, Default)]
-pub enum Motion {
-    /// As the forces ask.
+pub enum PrescribedMotion {
+    /// By the forces alone.
     #[default]
     Free,
     /// With this velocity, m/s, whatever the forces.
@@ -33,13 +33,13 @@ pub enum Motion {
     Damped { time: f64, towards: [f64; 3], until: Option<f64> },
 }
 
-impl Motion {
+impl PrescribedMotion {
     /// The velocity that a particle starts with, m/s.
     pub fn start(&self, velocity: [f64; 3]) -> [f64; 3] {
         match self {
-            Motion::Prescribed(given) => *given,
-            Motion::Along(free) => std::array::from_fn(|k| if free[k] { velocity[k] } else { 0.0 }),
-            Motion::Free | Motion::Damped { .. } => velocity,
+            PrescribedMotion::Prescribed(given) => *given,
+            PrescribedMotion::Along(free) => std::array::from_fn(|k| if free[k] { velocity[k] } else { 0.0 }),
+            PrescribedMotion::Free | PrescribedMotion::Damped { .. } => velocity,
         }
     }
 
@@ -47,19 +47,19 @@ impl Motion {
     #[inline]
     pub fn is_free(&self, now: f64) -> bool {
         match self {
-            Motion::Free => true,
-            Motion::Damped { until, .. } => until.is_some_and(|until| now > until),
-            Motion::Prescribed(_) | Motion::Along(_) => false,
+            PrescribedMotion::Free => true,
+            PrescribedMotion::Damped { until, .. } => until.is_some_and(|until| now > until),
+            PrescribedMotion::Prescribed(_) | PrescribedMotion::Along(_) => false,
         }
     }
 
     #[inline]
     fn constrained(&self, free: Vec3, velocity: Vec3) -> Vec3 {
         match self {
-            Motion::Free => free,
-            Motion::Prescribed(_) => Vec3::zeros(),
-            Motion::Along(along) => Vec3::from_fn(|k, _| if along[k] { free[k] } else { 0.0 }),
-            Motion::Damped { time, towards, .. } => free - (velocity - Vec3::from(*towards)) / *time,
+            PrescribedMotion::Free => free,
+            PrescribedMotion::Prescribed(_) => Vec3::zeros(),
+            PrescribedMotion::Along(along) => Vec3::from_fn(|k, _| if along[k] { free[k] } else { 0.0 }),
+            PrescribedMotion::Damped { time, towards, .. } => free - (velocity - Vec3::from(*towards)) / *time,
         }
     }
 }
@@ -82,39 +82,39 @@ pub struct DampingLimit {
     pub particle: usize,
 }
 
-/// The prescribed motions of a scene and what they have done so far.
+/// The prescribed motions of a scene, and their work and impulse so far.
 #[derive(Debug, Clone)]
 pub struct Motions {
-    /// Of whole bodies.
-    pub bodies: Vec<Motion>,
-    /// Of layers; numbered from one on in the column.
-    pub layers: Vec<Motion>,
+    /// Motions of whole bodies.
+    pub bodies: Vec<PrescribedMotion>,
+    /// Motions of layers; numbered from one on in the column.
+    pub layers: Vec<PrescribedMotion>,
     /// Layer of each particle, zero outside; only where there are layers.
     pub layer: Option<Column<f64>>,
-    /// Work done on the particle by what holds it, J.
+    /// Work done on the particle by its prescribed motion, J.
     pub work: Integrated<f64>,
-    /// Momentum it got from there, kg m/s.
+    /// Momentum added by its prescribed motion, kg m/s.
     pub impulse: Integrated<Vec3>,
     masses: Vec<f64>,
 }
 
 impl Motions {
-    /// Declares the columns, or `None` where everything moves freely: then nothing of this exists. `masses`: of a particle
+    /// Declares the columns, or `None` where everything moves freely: then nothing of this exists. `masses`: mass of a particle
     /// of each body, kg.
     pub fn declare(
-        bodies: Vec<Motion>,
-        layers: Vec<Motion>,
+        bodies: Vec<PrescribedMotion>,
+        layers: Vec<PrescribedMotion>,
         masses: Vec<f64>,
         registry: &mut Registry,
     ) -> Option<Self> {
-        if layers.is_empty() && bodies.iter().all(|motion| *motion == Motion::Free) {
+        if layers.is_empty() && bodies.iter().all(|motion| *motion == PrescribedMotion::Free) {
             return None;
         }
         let state = |name, unit, about| ColumnInfo { name, unit, about, life: Life::State, snapshot: false };
         registry.owner("motion");
         let layer = "Number of the layer that prescribes the particle's motion, zero outside.";
-        let work = "Work done on the particle by what prescribes its motion.";
-        let impulse = "Momentum that the particle got from what prescribes its motion.";
+        let work = "Work done on the particle by its prescribed motion.";
+        let impulse = "Momentum added to the particle by its prescribed motion.";
         Some(Self {
             layer: (!layers.is_empty())
                 .then(|| registry.column(ColumnInfo { life: Life::Kept, snapshot: true, ..state("layer", "", layer) })),
@@ -130,10 +130,10 @@ impl Motions {
     pub fn holds(&self, columns: &Columns, i: usize, body: usize) -> bool {
         let layer = self.layer.map_or(0, |column| columns.get(column, i) as usize);
         let motion = if layer == 0 { &self.bodies[body] } else { &self.layers[layer - 1] };
-        matches!(motion, Motion::Prescribed(_))
+        matches!(motion, PrescribedMotion::Prescribed(_))
     }
 
-    fn of(&self, chunk: &Chunk, k: usize, body: usize) -> &Motion {
+    fn of(&self, chunk: &Chunk, k: usize, body: usize) -> &PrescribedMotion {
         let layer = self.layer.map_or(0, |column| chunk.view(column).get(k) as usize);
         if layer == 0 { &self.bodies[body] } else { &self.layers[layer - 1] }
     }
@@ -158,7 +158,7 @@ impl Motions {
             work.set(k, rate.dot(&v));
             impulse.set(k, rate);
             (0..D).for_each(|axis| a[axis].set(held[axis]));
-            if let Motion::Damped { time, .. } = motion
+            if let PrescribedMotion::Damped { time, .. } = motion
                 && limit.is_none_or(|least| DAMPING_STEP * time < least.dt)
             {
                 limit = Some(DampingLimit { dt: DAMPING_STEP * time, particle: k });

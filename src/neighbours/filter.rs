@@ -1,8 +1,8 @@
 //! The distance filter: which of a cell's candidates lie within the larger list radius of one particle. Three widths, one
 //! answer: the squared distance is made of plain products and sums in the order of the dimensions, never fused.
 //!
-//! The widest one looks at single precision first, relative to a point nearby: only where that leaves a doubt, about once in a
-//! thousand rows, it does the same as the others.
+//! The widest one compares in single precision first, relative to a point nearby: only where rounding could change the answer,
+//! about once in a thousand rows, it does the same as the others.
 
 use std::arch::x86_64::*;
 use std::ops::Range;
@@ -13,13 +13,13 @@ use crate::particles::Local;
 /// Candidates come in whole groups of this many.
 const GROUP: usize = 16;
 
-/// What one cell's particles must be tested against, gathered from the local set.
+/// The particles against which those of one cell must be tested, gathered from the local set.
 #[derive(Debug)]
 pub struct Candidates<const D: usize> {
     position: [Vec<f64>; D],
     radius_squared: Vec<f64>,
     slots: Vec<u32>,
-    /// The same relative to `origin`.
+    /// Positions relative to `origin`.
     rough_position: [Vec<f32>; D],
     rough_radius_squared: Vec<f32>,
     origin: [f64; D],
@@ -44,7 +44,7 @@ impl<const D: usize> Default for Candidates<D> {
     }
 }
 
-/// The particle that asks.
+/// The particle whose neighbours are sought.
 #[derive(Debug, Clone, Copy)]
 pub struct Centre<const D: usize> {
     pub slot: u32,
@@ -69,7 +69,8 @@ impl<const D: usize> Candidates<D> {
         self.slots.extend(slots.start as u32..slots.end as u32);
     }
 
-    /// Fills the last group with candidates that are near nothing. `origin`: a point near those that will ask.
+    /// Fills the last group with candidates that are near nothing. `origin`: a point near the particles whose neighbours are
+    /// sought.
     pub fn close(&mut self, width: Width, origin: [f64; D]) {
         let count = self.slots.len();
         let len = count.next_multiple_of(GROUP);
@@ -188,7 +189,7 @@ impl<const D: usize> Candidates<D> {
                 let theirs = _mm512_loadu_ps(self.rough_radius_squared.as_ptr().add(k));
                 let beyond = _mm512_sub_ps(r_squared, _mm512_max_ps(rough_radius_squared, theirs));
                 let mut near = _mm512_cmp_ps_mask::<_CMP_LT_OQ>(beyond, below);
-                // Doubtful is whatever is no number, too.
+                // Values that are not finite are doubtful, too.
                 if near != _mm512_cmp_ps_mask::<_CMP_NGE_UQ>(beyond, above) {
                     near = self.near_avx512(centre, k);
                 }
@@ -231,7 +232,7 @@ impl<const D: usize> Candidates<D> {
     }
 }
 
-/// Whole groups of numbers less the origin, in single precision; returns the largest modulus of what is a number.
+/// Whole groups of numbers less the origin, in single precision; returns the largest modulus, NaN excluded.
 #[inline(always)]
 fn round(numbers: &[f64], origin: f64, rounded: &mut Vec<f32>) -> f64 {
     rounded.resize(numbers.len(), 0.0);
@@ -246,7 +247,7 @@ fn round(numbers: &[f64], origin: f64, rounded: &mut Vec<f32>) -> f64 {
     largest.into_iter().fold(0.0, larger)
 }
 
-/// The maximum as one instruction; `b` may be no number.
+/// The maximum as one instruction; `b` may be NaN.
 #[inline(always)]
 fn larger(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }

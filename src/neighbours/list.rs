@@ -80,7 +80,7 @@ impl<const D: usize> NeighbourList<D> {
         self.build_with(local, width());
     }
 
-    /// Gives back the memory; the next [`NeighbourList::build`] starts from nothing.
+    /// Releases the memory; the next [`NeighbourList::build`] starts from nothing.
     pub fn forget(&mut self) {
         *self = Self::default();
     }
@@ -170,7 +170,7 @@ impl<const D: usize> NeighbourList<D> {
             base += block.entries.len();
         }
         parts.into_par_iter().for_each(|(part, block)| {
-            // What fits into the caches is better left there.
+            // Lists that fit into the caches are better left there.
             if streamed {
                 stream::copy(&block.entries, part);
             } else {
@@ -257,7 +257,7 @@ mod tests {
                 let real: Vec<u64> =
                     row.iter().filter(|&&j| j < local.count as u32).map(|&j| local.places[j as usize].id).collect();
                 assert_eq!(row.len(), real.len().next_multiple_of(LANES));
-                assert!(row[real.len()..].iter().all(|&j| j == local.count as u32), "padding stands at the end");
+                assert!(row[real.len()..].iter().all(|&j| j == local.count as u32), "padding is at the end");
                 (local.places[local.slot_of_owned[i] as usize].id, real)
             })
             .collect();
@@ -320,7 +320,7 @@ mod tests {
         }
     }
 
-    /// The same rows, in the same order, whichever part of the cloud is owned and whatever else is a ghost.
+    /// Rows and their order are the same whichever part of the cloud is owned and whatever else is a ghost.
     fn rows_do_not_depend_on_parts<const D: usize>(n: u64) {
         let (lattice, sites) = cloud::<D>(n);
         let mut list = NeighbourList::default();

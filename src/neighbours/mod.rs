@@ -1,5 +1,5 @@
-//! Who is near whom: lists of neighbours within the larger of two list radii. Knows positions and radii, no physics and no
-//! ranks: what it is given is the local set.
+//! Lists of neighbours within the larger of two list radii. Knows positions and radii, no physics and no
+//! ranks: its input is the local set.
 
 mod cells;
 mod filter;

@@ -1,4 +1,4 @@
-//! Copies that go past the caches. A list is larger than they are and is read long after it was written: to fetch its lines
+//! Copies that bypass the caches. A list is larger than they are and is read long after it was written: to fetch its lines
 //! first, only to overwrite them, would be half of the traffic.
 
 use std::mem::MaybeUninit;
@@ -17,7 +17,7 @@ pub fn copy(from: &[u32], to: &mut [MaybeUninit<u32>]) {
     /// Numbers in what is stored at once.
     const QUAD: usize = 4;
     assert_eq!(from.len(), to.len());
-    // Streaming wants whole aligned quads; what stands before and after them is written as usual.
+    // Streaming requires whole aligned quads; the numbers before and after them are written as usual.
     let head = to.as_ptr().align_offset(QUAD * size_of::<u32>()).min(to.len());
     let end = head + (to.len() - head) / QUAD * QUAD;
     for k in (0..head).chain(end..to.len()) {
@@ -27,7 +27,7 @@ pub fn copy(from: &[u32], to: &mut [MaybeUninit<u32>]) {
         // SAFETY: both hold four numbers, and `to` is aligned; SSE2 is there on every x86-64.
         unsafe { _mm_stream_si128(to.as_mut_ptr().cast(), _mm_loadu_si128(from.as_ptr().cast())) };
     }
-    // SAFETY: only orders stores: these before any by which another thread learns of them.
+    // SAFETY: only orders stores: these before any that announce them to another thread.
     unsafe { _mm_sfence() };
 }
 

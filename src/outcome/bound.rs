@@ -1,13 +1,13 @@
-//! What holds together by gravity. Pieces - whole fragments and loose particles - are tested against an aggregate again
+//! Gravitationally bound aggregates. Pieces - whole fragments and loose particles - are tested against an aggregate again
 //! and again, joining and leaving it, until nothing changes. A piece of mass m belongs to an aggregate whose other
 //! members have mass M, velocity V and potential phi(x) if their relative motion is bound (two-body energy over the
 //! reduced mass):  |v - V|^2 / 2 + (1 + m / M) phi(x) < 0.
 //!
-//! The aggregate starts from the largest fragment; and, as rubble may have none worth the name, once more from all that is bound, in the
-//! potential of everything, to the motion around the deepest place in it. Where next to nothing is, as that place flies off where
-//! pores collapse, it starts from what is bound to the motion of one piece: of a sample, the one to which most is. (Alone that would
-//! not do: to matter between two piles that part both are bound, each by itself, and would count as one.) The most massive result
-//! counts: in all, or in matter of one body (`rank`).
+//! The aggregate starts from the largest fragment; and, as rubble may have no large one, once more from all pieces that are bound,
+//! in the potential of all, to the motion around its deepest place. Where almost none is, as matter at that place is ejected where
+//! pores collapse, it starts from the pieces bound to the motion of one piece: the one of a sample to which most mass is. (This
+//! alone would not suffice: to matter between two piles that separate both are bound, each by itself, and would count as one.) The
+//! most massive result counts: by its whole mass, or by its matter of one body (`rank`).
 
 use super::Piece;
 use crate::domain::comm::Comm;
@@ -20,7 +20,7 @@ const FREE_PASSES: usize = 30;
 /// Pieces count for the motion of the deepest place within so many sizes, cube roots of its volume, of the piece that lies there: with
 /// particles these are the hundred nearest.
 const AROUND: f64 = 3.0;
-/// What grows from the deepest place is next to nothing below this share of all free mass.
+/// An aggregate grown from the deepest place counts as almost nothing below this share of all free mass.
 const NEXT_TO_NOTHING: f64 = 0.1;
 /// Pieces of the sample whose motions are tried: a remnant of a tenth of everything is missed once in a thousand times.
 const SAMPLE: usize = 64;
@@ -30,13 +30,13 @@ const OPENING: Opening = Opening { angle: 0.7, accuracy: f64::INFINITY, order: 4
 /// A set of pieces of all ranks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Aggregate {
-    /// Which of this rank's pieces belong to it.
+    /// Whether each of this rank's pieces belongs to it.
     pub members: Vec<bool>,
-    /// On all ranks, kg.
+    /// Mass on all ranks, kg.
     pub mass: f64,
 }
 
-/// What makes one piece larger than another, kg.
+/// The mass by which pieces are compared, kg.
 pub type Rank<'a> = &'a dyn Fn(&Piece) -> f64;
 
 /// The largest aggregate by `rank` among the pieces that are `free`. Collective.
@@ -131,7 +131,7 @@ impl Search<'_> {
         (0..self.pieces.len()).map(belongs).collect()
     }
 
-    /// All that is bound to the motion of that piece of the sample to which most is.
+    /// All that is bound to the motion of the piece of the sample to which most mass is bound.
     fn bound_to_most(&self, potential: &[f64]) -> Vec<bool> {
         let motions = self.sample();
         let mut bound = [const { ExactSum::new() }; SAMPLE];
@@ -145,7 +145,7 @@ impl Search<'_> {
         (0..self.pieces.len()).map(belongs).collect()
     }
 
-    /// Velocities of free pieces that chance has chosen, the same on any number of ranks; as many as there are, if fewer.
+    /// Velocities of a random sample of free pieces, the same on any number of ranks; of all, if there are fewer.
     fn sample(&self) -> Vec<Vec3> {
         let lot = |label: u64| uniform(0, label, 0).to_bits();
         let words = |i: usize| {
@@ -188,8 +188,8 @@ impl Search<'_> {
         (mass, Vec3::new(x, y, z))
     }
 
-    /// Brings the potential of the members at every free piece, itself left out (J/kg), from one membership to the next: it is
-    /// linear in them, and after the first pass few change. Whether any did.
+    /// Updates the potential of the members at every free piece, itself left out (J/kg), to a new membership: it is
+    /// linear in them, and after the first pass few change. Returns whether any did.
     fn update_potential(&self, potential: &mut [f64], before: &[bool], after: &[bool]) -> bool {
         let free: Vec<usize> = self.chosen(self.free).collect();
         let some = |from: &[bool], to: &[bool]| free.iter().any(|&i| to[i] && !from[i]) as u8 as f64;

@@ -1,9 +1,9 @@
-//! What an impact does to ground: ejecta, the bowl, and how far pores were crushed. Depth and upward speed are measured along
+//! Effects of an impact on ground: ejecta, the bowl, and how far pores were crushed. Depth and upward speed are measured along
 //! the outward normal of the face that was hit.
 //!
 //! ```text
 //! ejected above v    sum of m over particles of all bodies but the projectile with v_up > v, wherever they are
-//! ... above the face the same of those that have risen above the face that was there
+//! ... above the face sum of m over those of them that have risen above the initial face
 //! volume             m / rho_0 of these, rho_0 bulk density at the start
 //! compacted volume   sum of m (1 / rho_0 - alpha / (alpha_0 rho_0)) over porous bodies
 //! ```
@@ -22,12 +22,12 @@ use crate::material::{BodyConstants, Core};
 use crate::math::{ExactSum, Vec3};
 use crate::particles::{Column, Columns};
 
-/// Matter thinner than this share of its first density is spray, no ground.
+/// Matter below this share of its initial density is spray, not ground.
 const THIN: f64 = 0.5;
 /// Distention from which on no pores are left.
 const CRUSHED: f64 = 1.0 + 1e-9;
 
-/// What is asked.
+/// Geometry and thresholds by which craters are measured.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Question {
     /// Where the projectile hits the face, m.
@@ -39,22 +39,22 @@ pub struct Question {
     pub projectile: usize,
     /// Upward speed from which on matter counts as ejected, m/s.
     pub ejection_speed: Option<f64>,
-    /// A width in which the ground has room, m.
+    /// A width that holds the ground, m.
     pub extent: f64,
 }
 
-/// The outcome in figures.
+/// The crater and the compaction in figures.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Crater {
-    /// Where the scene says from which speed on matter counts as ejected.
+    /// Where the scene gives the speed above which matter counts as ejected.
     pub ejected: Option<Ejected>,
-    /// Of the bowl below the face that was there, m; zero without one.
+    /// Depth of the bowl below the initial face, m; zero without one.
     pub depth: f64,
-    /// Of a circle as large as the bowl, m (in 2D half its width).
+    /// Radius of a circle as large as the bowl, m (in 2D half its width).
     pub radius: f64,
-    /// Where a body has pores.
+    /// Compaction, where a body has pores.
     pub compaction: Option<Compaction>,
-    /// Of all bodies but the projectile, kg.
+    /// Mass of all bodies but the projectile, kg.
     pub ground_mass: f64,
     /// kg.
     pub projectile_mass: f64,
@@ -65,9 +65,9 @@ pub struct Crater {
 pub struct Ejected {
     /// kg.
     pub mass: f64,
-    /// Before the impact, m^3 (m^2 in 2D).
+    /// Volume before the impact, m^3 (m^2 in 2D).
     pub volume: f64,
-    /// Of what has risen above the face, kg.
+    /// Mass of the ejecta that have risen above the face, kg.
     pub mass_above_face: f64,
 }
 
@@ -75,13 +75,13 @@ pub struct Ejected {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Compaction {
     pub minimum_distention: f64,
-    /// By which matter has become smaller, m^3 (m^2 in 2D).
+    /// Loss of volume by compaction, m^3 (m^2 in 2D).
     pub compacted_volume: f64,
-    /// Volume before the impact of what has no pores left, m^3 (m^2 in 2D).
+    /// Volume before the impact of matter without pores left, m^3 (m^2 in 2D).
     pub crushed_volume: f64,
 }
 
-/// An outcome and the tables behind it.
+/// The outcome in figures and the tables for its files.
 pub struct CraterEvaluation {
     pub crater: Crater,
     pub ejecta: Ejecta,

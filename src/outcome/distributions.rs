@@ -1,4 +1,4 @@
-//! Size and velocity distributions of what an impact left, as CSV. The largest fragments are listed one by one; all
+//! Size and velocity distributions of the pieces after an impact, as CSV. The largest fragments are listed one by one; all
 //! pieces, loose particles apart from fragments, are counted in bins. Only the list and the bins reach rank 0.
 
 use std::fmt::Write;
@@ -25,7 +25,7 @@ pub struct Distributions {
     pub velocities: String,
 }
 
-/// Collective. `dimension` decides what an equivalent diameter is.
+/// The distributions of all pieces; equivalent diameters are those of spheres, in `dimension` 2 of circles. Collective.
 pub fn distributions(comm: &Comm, evaluation: &Evaluation, dimension: usize) -> Distributions {
     let listed = list(comm, evaluation, dimension);
     let total = evaluation.mass;
@@ -123,7 +123,7 @@ fn list(comm: &Comm, evaluation: &Evaluation, dimension: usize) -> String {
     text
 }
 
-/// Of the sphere (in 2D the circle) of this volume, m.
+/// Diameter of the sphere (in 2D the circle) of this volume, m.
 fn diameter(volume: f64, dimension: usize) -> f64 {
     let pi = std::f64::consts::PI;
     if dimension == 3 { libm::cbrt(6.0 * volume / pi) } else { (4.0 * volume / pi).sqrt() }
@@ -137,7 +137,7 @@ pub(super) fn rank_of(piece: &Piece) -> u128 {
 /// The least ranking such that at most `most` of all ranks' pieces reach it, by bisection over its bits.
 pub(super) fn least_listed(comm: &Comm, mut rankings: Vec<u128>, most: u64) -> u128 {
     rankings.sort_unstable();
-    // Invariant: at most `most` reach `high`, and if fewer than that can be had at all, more than that reach `low`.
+    // Invariant: at most `most` reach `high`, and more than that reach every value below `low`.
     let (mut low, mut high) = (0u128, u128::MAX);
     while low < high {
         let middle = low + (high - low) / 2;

@@ -1,11 +1,12 @@
 //! Intact fragments: particles nearer than 1.5 times the larger of their spacings are linked where both are damaged less
-//! than a threshold; a fragment is what is linked, directly or through others. Its label is the smallest id in it.
+//! than a threshold; a fragment is a set of particles that are linked, directly or through others. Its label is the smallest id in
+//! it.
 //!
-//! Clumps are wider: broken matter is linked, too, where it moves apart, together or past each other so slowly that an even ball which
+//! Clumps are wider: broken matter is linked, too, where its relative motion is so slow that a uniform ball which
 //! expands at that rate would be held by its own gravity, |dv| / |dx| <= sqrt(8 pi G rho / 3) with rho the density at the start. So a
-//! pile that has come together is one clump, and spray is none, however dense.
+//! reaccumulated pile is one clump, and spray is none, however dense.
 //!
-//! Each rank links what it owns and a layer of ghosts; labels then travel through the ghosts until none changes.
+//! Each rank links its particles and a layer of ghosts; labels are then exchanged through the ghosts until none changes.
 
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
@@ -20,12 +21,12 @@ use crate::gravity::G;
 /// Link length over the larger spacing.
 pub const LINK: f64 = 1.5;
 
-/// What holds two neighbours together.
+/// When two neighbours are linked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Link {
     /// Both are damaged less than this.
     Intact(f64),
-    /// The same, or moving with each other.
+    /// Both are damaged less than this, or they move with each other.
     Slow(f64),
 }
 
@@ -42,7 +43,7 @@ struct Point {
     rate: f64,
 }
 
-/// The fragment of each particle; none for a loose one, which is damaged or has nothing to hold on to. Collective.
+/// The fragment of each particle; none for a loose one, which is damaged or has no neighbour to be linked to. Collective.
 pub fn labels(comm: &Comm, particles: &[Particle], by: Link) -> Vec<Option<u64>> {
     let rate = |p: &Particle| match by {
         Link::Intact(damage) | Link::Slow(damage) if p.damage < damage => Some(f64::INFINITY),
@@ -119,7 +120,7 @@ fn link(points: &[Point], reach: f64) -> Sets {
         cells.insert(group[0].0, begin..begin + group.len());
         begin += group.len();
     }
-    // In the order of cells, as what is near then lies near in memory.
+    // In the order of cells, as neighbours then are near in memory.
     for here in order.chunk_by(|a, b| a.0 == b.0) {
         let [x, y, z] = here[0].0;
         // Half of the cells around, and the cell itself: each pair of cells is met once.
@@ -152,7 +153,7 @@ fn speed2(a: &Point, b: &Point) -> f64 {
     (v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]
 }
 
-/// Who holds copies of whose points.
+/// Copies of points on other ranks.
 struct Ghosts {
     /// (rank, owned points it holds as ghosts, in the order sent).
     sent: Vec<(usize, Vec<u32>)>,
@@ -185,19 +186,19 @@ impl Ghosts {
         Self { sent, received }
     }
 
-    /// Lowers labels to what neighbouring ranks know, until no label changes anywhere.
+    /// Lowers labels to those that neighbouring ranks know, until no label changes anywhere.
     fn settle(&self, comm: &Comm, sets: &mut Sets, label: &mut [u64], owned: usize) {
-        let mut told = vec![u64::MAX; owned];
+        let mut sent_before = vec![u64::MAX; owned];
         loop {
             let mut fresh = vec![false; owned];
             for i in 0..owned {
                 let now = label[sets.root(i)];
-                fresh[i] = now != told[i];
-                told[i] = now;
+                fresh[i] = now != sent_before[i];
+                sent_before[i] = now;
             }
             let news = |list: &[u32]| -> Vec<u64> {
                 let fresh = list.iter().enumerate().filter(|(_, i)| fresh[**i as usize]);
-                fresh.flat_map(|(k, &i)| [k as u64, told[i as usize]]).collect()
+                fresh.flat_map(|(k, &i)| [k as u64, sent_before[i as usize]]).collect()
             };
             let messages =
                 self.sent.iter().map(|(rank, list)| (*rank, news(list))).filter(|(_, words)| !words.is_empty());
@@ -227,8 +228,8 @@ fn around(points: &[Point]) -> [[f64; 3]; 2] {
     })
 }
 
-/// The pieces the material is in: whole fragments, each on the rank that owns the particle it is named after, and loose
-/// particles where they are; in order of label. `bodies`: numbers of the two whose matter is told apart. Collective.
+/// The pieces of all matter: whole fragments, each on the rank that owns the particle it is named after, and loose
+/// particles where they are; in order of label. `bodies`: numbers of the two whose matter is summed apart. Collective.
 pub fn pieces(
     comm: &Comm,
     scale: &Scale,
@@ -254,7 +255,7 @@ pub fn pieces(
     pieces
 }
 
-/// Brings the parts of each fragment together on a rank that its label names, and from there home.
+/// Brings the parts of each fragment together on a rank that its label names, and returns the whole to its owner.
 fn unite(comm: &Comm, parts: BTreeMap<u64, (Tally, bool)>) -> Vec<(u64, Tally)> {
     const RECORD: usize = 2 + Tally::WORDS;
     let mut outgoing: BTreeMap<usize, Vec<u64>> = BTreeMap::new();
@@ -329,7 +330,7 @@ mod tests {
         assert!(different.len() > 10 && different.len() < 600, "{}", different.len());
     }
 
-    /// Intact neighbours hold at any speed, broken ones up to the slower one's rate.
+    /// Intact neighbours are linked at any speed, broken ones up to the slower one's rate.
     #[test]
     fn broken_neighbours_must_move_together() {
         let at = |x: f64, v: f64, rate: f64| Point { velocity: [0.0, v, 0.0], rate, ..point(0, [x, 0.0, 0.0], 1.0) };

@@ -1,4 +1,4 @@
-//! What an impact left behind: fragments, what gravity holds together, and when it is time to look.
+//! The outcome of an impact: fragments, aggregates bound by gravity, and when the outcome may be evaluated.
 //!
 //! Everything here runs in parallel on the owned particles; sums are exact and ties go to the smallest label, so that the
 //! outcome has the same bits on any number of ranks. Velocities are relative to the common centre of mass wherever they are
@@ -6,8 +6,8 @@
 //!
 //! Where a scene has just a target and a projectile, all matter counts, and the largest remnant is the most massive aggregate,
 //! whichever body it comes from. Where there are further bodies, only the matter of these two counts; the largest remnant is the
-//! aggregate that holds most of the target's, and pieces that are mostly of other bodies stand aside, as an untouched neighbour is
-//! no remnant of what was hit. What became of each body by itself see `origin`.
+//! aggregate that holds most of the target's, and pieces that are mostly of other bodies are excluded, as an untouched neighbour is
+//! not a remnant of the target. For the fate of each body see `origin`.
 
 pub mod bound;
 pub mod crater;
@@ -38,7 +38,7 @@ pub const LINK_DAMAGE: f64 = 0.9;
 /// The stricter threshold whose outcome is reported beside it.
 pub const STRICT_DAMAGE: f64 = 0.5;
 
-/// A particle as the outcome sees it.
+/// A particle as the outcome uses it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Particle {
     pub id: u64,
@@ -50,16 +50,16 @@ pub struct Particle {
     pub velocity: Vec3,
     /// kg.
     pub mass: f64,
-    /// At the density its body started with, m^3 (m^2 in 2D).
+    /// Volume at the initial density of its body, m^3 (m^2 in 2D).
     pub volume: f64,
     /// Edge of a cube of that volume (of a square in 2D), m.
     pub spacing: f64,
-    /// Vapour, which holds nothing together, counts as broken.
+    /// Vapour, which has no cohesion, counts as broken.
     pub damage: f64,
 }
 
-/// The owned particles as the outcome sees them; `whole`: the scene's body that each is or is a part of, `damage`: of particle i of
-/// a body.
+/// The owned particles as the outcome uses them; `whole`: the scene's body that each body is or is a part of, `damage`: damage of
+/// particle i of a body.
 pub fn particles(
     columns: &Columns,
     core: &Core,
@@ -100,13 +100,13 @@ pub struct Piece {
     pub count: u64,
     /// kg.
     pub mass: f64,
-    /// At the density its bodies started with, m^3 (m^2 in 2D).
+    /// Volume at the initial density of its bodies, m^3 (m^2 in 2D).
     pub volume: f64,
     /// Centre of mass, m.
     pub position: Vec3,
-    /// Of the centre of mass, m/s.
+    /// Velocity of the centre of mass, m/s.
     pub velocity: Vec3,
-    /// Matter of each of the two bodies that are asked about, kg.
+    /// Matter of each of the two bodies in question, kg.
     pub of: [f64; 2],
 }
 
@@ -129,7 +129,7 @@ impl Piece {
     }
 }
 
-/// What is asked about an impact.
+/// Which bodies of an impact are evaluated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Question {
     pub dimension: usize,
@@ -142,32 +142,32 @@ pub struct Question {
 }
 
 impl Question {
-    /// What makes one piece larger than another, kg.
+    /// The mass by which pieces are compared, kg.
     pub fn rank(&self, piece: &Piece) -> f64 {
         if self.others { piece.of[0] } else { piece.mass }
     }
 
-    /// What counts of a piece, kg.
+    /// The mass of a piece that counts, kg.
     pub fn counted(&self, piece: &Piece) -> f64 {
         if self.others { piece.of[0] + piece.of[1] } else { piece.mass }
     }
 }
 
-/// The outcome of an impact; fractions are of the target's mass where nothing else is said.
+/// The outcome of an impact; fractions are of the target's mass unless stated otherwise.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
     /// kg.
     pub target_mass: f64,
-    /// Of both bodies, kg.
+    /// Mass of both bodies, kg.
     pub total_mass: f64,
     /// The largest bound aggregate; in 2D, where there is no gravity, the largest fragment.
     pub largest_remnant_fraction: f64,
     /// Particles in it.
     #[serde(default)]
     pub largest_remnant_particles: u64,
-    /// The same over the mass of both bodies.
+    /// Mass of the largest remnant over the mass of both bodies.
     pub largest_remnant_of_total: f64,
-    /// The largest aggregate of what is left.
+    /// The largest aggregate of the remaining pieces.
     pub second_remnant_fraction: f64,
     /// The largest intact fragment.
     pub largest_fragment_fraction: f64,
@@ -175,9 +175,9 @@ pub struct Outcome {
     pub fragments: u64,
     /// Mass outside the largest remnant, kg.
     pub unbound_mass: f64,
-    /// The same with fragments of less damaged material.
+    /// The outcome with fragments of less damaged material.
     pub strict: Strict,
-    /// What became of each body, where that was asked.
+    /// The fate of each body, where requested.
     #[serde(default)]
     pub bodies: Vec<Origin>,
 }
@@ -190,7 +190,7 @@ pub struct Strict {
     pub fragments: u64,
 }
 
-/// Where a centre of mass is and how it moves.
+/// An outcome and the pieces from which it was evaluated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CentreOfMass {
     /// m.
@@ -264,7 +264,7 @@ struct Remnants {
 }
 
 impl Remnants {
-    /// `labels`: of the fragment that each particle belongs to, if any.
+    /// `labels`: label of the fragment that each particle belongs to, if any.
     fn find(comm: &Comm, particles: &[Particle], scale: &Scale, labels: &[Option<u64>], question: &Question) -> Self {
         let pieces = fragments::pieces(comm, scale, particles, labels, question.bodies);
         Self::among(comm, pieces, question)
@@ -284,7 +284,7 @@ impl Remnants {
         found
     }
 
-    /// What counts and members of the largest remnant by `rank` among free pieces.
+    /// Counted mass and members of the largest remnant by `rank` among free pieces.
     fn largest_of(&self, comm: &Comm, free: &[bool], question: &Question, rank: bound::Rank) -> (f64, Vec<bool>) {
         if question.dimension == 3 {
             let members = bound::largest(comm, &self.pieces, free, rank).members;
@@ -299,7 +299,7 @@ impl Remnants {
         (counted(comm, &self.pieces, label, question), members)
     }
 
-    /// Of the largest remnant. Collective.
+    /// Particles of the largest remnant. Collective.
     fn particles(&self, comm: &Comm) -> u64 {
         let members = self.pieces.iter().zip(&self.in_largest).filter(|(_, member)| **member);
         let mut count = [members.map(|(piece, _)| piece.count as i64).sum()];
@@ -308,8 +308,8 @@ impl Remnants {
     }
 }
 
-/// Which pieces may be part of a remnant: where others' matter is about, those that are at least half of what counts, and the one
-/// that holds most of the target's.
+/// Which pieces may be part of a remnant: where there are other bodies, those of which at least half counts, and the one
+/// that holds most of the target's matter.
 fn free(comm: &Comm, pieces: &[Piece], question: &Question) -> Vec<bool> {
     if !question.others {
         return vec![true; pieces.len()];
@@ -318,7 +318,7 @@ fn free(comm: &Comm, pieces: &[Piece], question: &Question) -> Vec<bool> {
     pieces.iter().map(|piece| 2.0 * question.counted(piece) >= piece.mass || Some(piece.label) == main).collect()
 }
 
-/// What counts of the piece of that label, kg; zero where there is none. Collective.
+/// The counted mass of the piece of that label, kg; zero where there is none. Collective.
 fn counted(comm: &Comm, pieces: &[Piece], label: Option<u64>, question: &Question) -> f64 {
     let piece = pieces.iter().find(|piece| Some(piece.label) == label);
     let mut mass = [piece.map_or(0.0, |piece| question.counted(piece))];

@@ -1,6 +1,7 @@
-//! What an N-body program goes on with: a sphere for each clump (see `fragments`) and each particle that touches nothing, in the frame
+//! Bodies for an N-body program: a sphere for each clump (see `fragments`) and each loose particle, in the frame
 //! of the centre of mass, largest first. A sphere has the mass, centre and velocity of its clump and the volume of its matter before
-//! the impact; its turning is not carried over. What is smaller than asked for, or one too many, is left out and added up.
+//! the impact; its rotation is not carried over. Clumps below the requested size or beyond the requested number are left out and
+//! added up.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -11,7 +12,7 @@ use super::{LINK_DAMAGE, Particle, all_values};
 use crate::domain::comm::Comm;
 use crate::math::ExactSum;
 
-/// What becomes a body.
+/// Which clumps become bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Choice {
     /// Least number of particles.
@@ -31,7 +32,7 @@ pub struct Sphere {
     pub mass: f64,
     /// m.
     pub radius: f64,
-    /// m and m/s, from the centre of mass of everything and its motion.
+    /// m and m/s, relative to the centre of mass of everything and its motion.
     pub position: [f64; 3],
     pub velocity: [f64; 3],
 }
@@ -42,11 +43,11 @@ pub struct LeftOut {
     pub pieces: f64,
     /// kg.
     pub mass: f64,
-    /// In the frame of the centre of mass, kg m/s.
+    /// Momentum in the frame of the centre of mass, kg m/s.
     pub momentum: [f64; 3],
 }
 
-/// The spheres, on rank 0 alone, and what is left out. Collective.
+/// The spheres, on rank 0 alone, and the sum of the pieces left out. Collective.
 pub fn spheres(comm: &Comm, particles: &[Particle], choice: &Choice) -> (Vec<Sphere>, LeftOut) {
     let scale = Scale::agree(comm, particles);
     let total = tally::total(comm, &scale, particles, NONE);

@@ -1,5 +1,5 @@
-//! What became of each body: shares of its own matter, whatever it lies with. A fragment or an aggregate is a body's by the share of
-//! that body's matter that it holds; what came together of several bodies is told under each.
+//! The fate of each body: shares of its own matter, wherever it ended. A fragment or an aggregate belongs to a body by the share of
+//! that body's matter that it holds; aggregates of several bodies are reported under each.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,7 +8,7 @@ use super::{Evaluation, LINK_DAMAGE, Particle, Piece, Question, Remnants, all_va
 use crate::domain::comm::Comm;
 use crate::math::ExactSum;
 
-/// Bodies beside target and projectile that are told; each costs a search.
+/// Bodies beside target and projectile that are reported; each costs a search.
 const MOST_OTHERS: usize = 8;
 
 /// Shares of a body's own matter.
@@ -16,15 +16,15 @@ const MOST_OTHERS: usize = 8;
 pub struct Origin {
     /// Its number.
     pub body: usize,
-    /// In the largest remnant of the impact.
+    /// Share in the largest remnant of the impact.
     pub in_largest_remnant: f64,
-    /// In the aggregate that holds most of it; in 2D in the piece.
+    /// Share in the aggregate that holds most of it; in 2D in the piece.
     pub remnant: f64,
-    /// In the intact fragment that holds most of it.
+    /// Share in the intact fragment that holds most of it.
     pub fragment: f64,
 }
 
-/// What became of target, projectile and the first others of the scene; `masses` of all its bodies, kg. Collective.
+/// The fates of target, projectile and the first others of the scene; `masses` of all its bodies, kg. Collective.
 pub fn by_body(
     comm: &Comm,
     particles: &[Particle],
@@ -38,16 +38,16 @@ pub fn by_body(
     let labels = fragments::labels(comm, particles, fragments::Link::Intact(LINK_DAMAGE));
     let scale = Scale::agree(comm, particles);
     let tell = |&body: &usize| {
-        // The body alone is asked about.
+        // Only this body is evaluated.
         let alone = Question { bodies: [body, usize::MAX], others: true, target_mass: masses[body], ..*question };
         let pieces = fragments::pieces(comm, &scale, particles, &labels, alone.bodies);
-        tell(comm, pieces, evaluation, &alone)
+        shares(comm, pieces, evaluation, &alone)
     };
     bodies.iter().map(tell).collect()
 }
 
-/// `pieces`: those of the evaluation, in the same order, with the matter of one body told apart.
-fn tell(comm: &Comm, pieces: Vec<Piece>, evaluation: &Evaluation, alone: &Question) -> Origin {
+/// `pieces`: those of the evaluation, in the same order, with the matter of one body summed apart.
+fn shares(comm: &Comm, pieces: Vec<Piece>, evaluation: &Evaluation, alone: &Question) -> Origin {
     let held = |members: &[bool]| {
         let mut sum = [ExactSum::new()];
         pieces.iter().zip(members).filter(|(_, member)| **member).for_each(|(piece, _)| sum[0].add(piece.of[0]));

@@ -1,4 +1,4 @@
-//! Tables of what an impact did to ground: mass above a speed, a map of the bowl, pores over depth below the point of impact.
+//! Tables of the effects of an impact on ground: mass above a speed, a map of the bowl, pores over depth below the point of impact.
 
 use std::fmt::Write;
 
@@ -24,16 +24,16 @@ pub struct Ejecta {
     pub rows: Vec<EjectaRow>,
 }
 
-/// What is faster than `speed`.
+/// Matter that is faster than `speed`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EjectaRow {
     /// m/s.
     pub speed: f64,
     /// kg.
     pub mass: f64,
-    /// Before the impact, m^3 (m^2 in 2D).
+    /// Volume before the impact, m^3 (m^2 in 2D).
     pub volume: f64,
-    /// Of what has risen above the face, kg.
+    /// Mass of the part that has risen above the face, kg.
     pub mass_above_face: f64,
 }
 
@@ -81,12 +81,12 @@ pub struct Bowl {
     spacing: f64,
     /// Cells along x, as many or one across.
     side: usize,
-    /// Highest place in each cell, m above the face; negative infinity where there is nothing.
+    /// Highest place in each cell, m above the face; negative infinity without matter.
     levels: Vec<f64>,
 }
 
 impl Bowl {
-    /// Of these particles. Collective.
+    /// The map of these particles. Collective.
     pub fn measure(
         comm: &Comm,
         dense: impl Iterator<Item = TargetParticle>,
@@ -115,7 +115,7 @@ impl Bowl {
         Self { spacing, side, levels }
     }
 
-    /// Depth, to within a spacing, and radius, m, of what lies a spacing or more below the face.
+    /// Depth, to within a spacing, and radius, m, of the part that lies a spacing or more below the face.
     pub fn size(&self) -> [f64; 2] {
         let hollow = self.levels.iter().filter(|level| level.is_finite() && **level < -self.spacing);
         let (cells, lowest) = hollow.fold((0, 0.0), |(n, low): (usize, f64), level| (n + 1, low.min(*level)));

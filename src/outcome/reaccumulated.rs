@@ -1,12 +1,13 @@
-//! When gravity has brought together what it will: the largest remnant (see `bound`) has kept its mass and its inner motion over
+//! When gravitational reaccumulation is over: the largest remnant (see `bound`) has kept its mass and its inner motion over
 //! a free-fall time t_ff = sqrt(3 pi / (32 G rho)) of the target,
 //!
 //! ```text
 //! max M - min M <= max(0.01 M, 0.001 M_all)        max K - min K <= 0.01 G M^2 / R        over the last t_ff
 //! K = sum m |v - V|^2 / 2 over its pieces          R = (3 V / (4 pi))^(1/3), V its volume before the impact
 //! ```
-//! M, V mass (kg) and velocity of the remnant, m and v of a piece of it. Of a fragment the turning is not in K; a steady turning of
-//! the whole is, and does not change. What still falls back in a wide orbit later than t_ff is part of M already, as it is bound.
+//! M, V mass (kg) and velocity of the remnant, m and v of a piece of it. The rotation of a fragment is not in K; a steady rotation
+//! of the whole is, and does not change. Matter that falls back in a wide orbit later than t_ff is part of M already, as it is
+//! bound.
 
 use std::collections::VecDeque;
 
@@ -21,8 +22,8 @@ use crate::math::{ExactSum, Vec3};
 const OF_REMNANT: f64 = 0.01;
 const OF_ALL: f64 = 1e-3;
 const OF_BINDING: f64 = 0.01;
-/// Looks per free-fall time.
-const LOOKS: usize = 16;
+/// Evaluations per free-fall time.
+const EVALUATIONS: usize = 16;
 
 /// The largest remnant at a moment.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -41,7 +42,7 @@ impl Remnant {
         let mut sums = [const { ExactSum::new() }; 6];
         for piece in evaluation.pieces.iter().zip(&evaluation.in_largest).filter(|(_, member)| **member).map(|(p, _)| p)
         {
-            // Near the centre of mass of everything little is lost when the remnant's own motion is taken off.
+            // Near the centre of mass of everything little precision is lost when the remnant's own motion is subtracted.
             let v = piece.velocity - evaluation.centre.velocity;
             let p = piece.mass * v;
             let values = [piece.mass, 0.5 * piece.mass * v.norm_squared(), p.x, p.y, p.z, piece.volume];
@@ -57,7 +58,7 @@ impl Remnant {
     }
 }
 
-/// Looks at the largest remnant from time to time; part of a checkpoint.
+/// Evaluations of the largest remnant from time to time; part of a checkpoint.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Reaccumulated {
     /// t_ff, s.
@@ -65,31 +66,32 @@ pub struct Reaccumulated {
     /// Mass of everything, kg.
     total: f64,
     /// (time, s; remnant), oldest first; the oldest at or before the start of the last window, once there is one.
-    looks: VecDeque<(f64, Remnant)>,
+    #[serde(alias = "looks")]
+    evaluations: VecDeque<(f64, Remnant)>,
 }
 
 impl Reaccumulated {
     pub fn new(window: f64, total: f64) -> Self {
-        Self { window, total, looks: VecDeque::with_capacity(LOOKS + 2) }
+        Self { window, total, evaluations: VecDeque::with_capacity(EVALUATIONS + 2) }
     }
 
-    /// Whether it is time, s, for the next look.
+    /// Whether the next evaluation is due at `time`, s.
     pub fn is_due(&self, time: f64) -> bool {
-        self.looks.back().is_none_or(|(last, _)| time - last >= self.window / LOOKS as f64)
+        self.evaluations.back().is_none_or(|(last, _)| time - last >= self.window / EVALUATIONS as f64)
     }
 
-    /// Takes note of a look; true where the remnant has stayed the same for a whole window.
+    /// Records an evaluation; true where the remnant has stayed the same for a whole window.
     pub fn note(&mut self, time: f64, now: Remnant) -> bool {
-        self.looks.push_back((time, now));
-        while self.looks.len() > 1 && self.looks[1].0 <= time - self.window {
-            self.looks.pop_front();
+        self.evaluations.push_back((time, now));
+        while self.evaluations.len() > 1 && self.evaluations[1].0 <= time - self.window {
+            self.evaluations.pop_front();
         }
         let spread = |of: fn(&Remnant) -> f64| {
-            let ends = self.looks.iter().map(|(_, remnant)| of(remnant));
+            let ends = self.evaluations.iter().map(|(_, remnant)| of(remnant));
             let (low, high) = ends.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), x| (low.min(x), high.max(x)));
             high - low
         };
-        self.looks[0].0 <= time - self.window
+        self.evaluations[0].0 <= time - self.window
             && spread(|remnant| remnant.mass) <= (OF_REMNANT * now.mass).max(OF_ALL * self.total)
             && spread(|remnant| remnant.kinetic) <= OF_BINDING * now.binding
     }
@@ -99,18 +101,18 @@ impl Reaccumulated {
 mod tests {
     use super::*;
 
-    /// First time at which a remnant counts as reaccumulated, looked at with step `dt`.
+    /// First time at which a remnant counts as reaccumulated, in a run with step `dt`.
     fn ends(remnant: impl Fn(f64) -> (f64, f64), dt: f64) -> Option<f64> {
-        let mut looks = Reaccumulated::new(100.0, 1000.0);
+        let mut evaluations = Reaccumulated::new(100.0, 1000.0);
         (0..4000).map(|step| 50.0 + step as f64 * dt).find(|&t| {
             let (mass, kinetic) = remnant(t);
-            looks.is_due(t) && looks.note(t, Remnant { mass, kinetic, binding: 10.0 })
+            evaluations.is_due(t) && evaluations.note(t, Remnant { mass, kinetic, binding: 10.0 })
         })
     }
 
     #[test]
     fn what_stays_ends_after_a_window() {
-        assert_eq!(ends(|_| (500.0, 3.0), 1.0), Some(150.0 + 5.0)); // looks come every 7 s: 50, 57 ... 155
+        assert_eq!(ends(|_| (500.0, 3.0), 1.0), Some(150.0 + 5.0)); // evaluations come every 7 s: 50, 57 ... 155
     }
 
     #[test]

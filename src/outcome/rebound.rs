@@ -7,16 +7,17 @@
 //! fields    size of the name with its zero, u64; size of the data, u64; name; data
 //!           t, G, dt: f64;   N: u64;   simulationarchive_version: i32;   particles: N records
 //! record    x y z vx vy vz ax ay az m r: f64, then three pointers, which are zero in a file
-//! end       a field "end" without data; 12 bytes that would tell of further snapshots, zero
+//! end       a field "end" without data; 12 bytes for further snapshots, zero
 //! ```
-//! What is not in the file keeps REBOUND's default: its adaptive integrator IAS15, direct sums, no collisions. Units are SI.
+//! Settings that are not in the file keep REBOUND's defaults: its adaptive integrator IAS15, direct sums, no collisions. Units are
+//! SI.
 
 use std::fmt::Write;
 
 use super::nbody::Sphere;
 use crate::gravity::G;
 
-/// What the header names. Other versions of REBOUND 5 read the file with a warning.
+/// Version in the header. Other versions of REBOUND 5 read the file with a warning.
 const VERSION: &str = "5.2.2";
 
 /// `nbody.csv`; numbers read back to the same bits.
@@ -31,7 +32,7 @@ pub fn table(bodies: &[Sphere]) -> String {
     text
 }
 
-/// `nbody.bin` at `time`, s; `step`: first time step of an integrator that wants one, s.
+/// `nbody.bin` at `time`, s; `step`: first time step of an integrator that needs one, s.
 pub fn archive(time: f64, step: f64, bodies: &[Sphere]) -> Vec<u8> {
     let mut bytes = format!("REBOUND Binary File. Version: {VERSION}").into_bytes();
     bytes.resize(64, 0);

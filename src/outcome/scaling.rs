@@ -32,7 +32,7 @@ pub struct ThresholdFit {
     pub beta: f64,
     /// g/cm^3.
     pub density: f64,
-    /// Impact speed that it was made for, m/s.
+    /// Impact speed of the fit, m/s.
     pub speed: f64,
 }
 
@@ -94,7 +94,7 @@ pub fn is_ice(density: f64) -> bool {
     density < 1500.0
 }
 
-/// The fit for a target of this density made for the nearest speed (in ratio): ice up to 1.5 g/cm^3, basalt above.
+/// The fit for a target of this density at the nearest impact speed (in ratio): ice up to 1.5 g/cm^3, basalt above.
 pub fn nearest_fit(density: f64, speed: f64) -> ThresholdFit {
     let [slow, fast] = if is_ice(density) { [ICE_500_M_S, ICE_3_KM_S] } else { [BASALT_3_KM_S, BASALT_5_KM_S] };
     // Nearer in ratio: below the geometric mean of the two.

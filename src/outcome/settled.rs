@@ -1,9 +1,9 @@
-//! When an outcome may be read off: from two sound crossings of the largest body after first contact on, as soon as the
+//! When an outcome may be evaluated: from two sound crossings of the largest body after first contact on, as soon as the
 //! internal energy has stayed within 1e-3 of the initial kinetic energy (centre-of-mass frame) over one crossing.
-//! Where matter attracts itself, heat must come so slowly by then that a whole free-fall time t_ff would make less than half of
-//! G M^2 / R of the target, too. Until then matter that gravity will hold or lose exchanges momentum (made soft at the time that
-//! the first rule gives, a broken ball of 10 km kept 6 to 10 % more of itself). That only tells that the shock and what it drives
-//! are over; what gravity then brings together see `reaccumulated`.
+//! With own gravity, heating must also be so slow by then that a whole free-fall time t_ff would add less than half of
+//! G M^2 / R of the target. Until then matter that will be bound or lost exchanges momentum (softened at the time that
+//! the first rule gives, a broken ball of 10 km kept 6 to 10 % more of its mass). This only shows that the shock and its effects
+//! are over; for reaccumulation by gravity see `reaccumulated`.
 
 use std::collections::VecDeque;
 
@@ -40,12 +40,12 @@ impl Settled {
         Self { first_contact, crossing, allowed: TOLERANCE * kinetic, samples, since: None }
     }
 
-    /// The same where gravity binds the target: `binding` is G M^2 / R, J; `fall` t_ff, s.
+    /// Adds the rule for a target bound by gravity: `binding` is G M^2 / R, J; `fall` t_ff, s.
     pub fn bound_by(self, binding: f64, fall: f64) -> Self {
         Self { allowed: self.allowed.min(OF_BINDING * binding * self.crossing / fall), ..self }
     }
 
-    /// Takes note of the internal energy (J) at a time (s) later than the last; true from the moment of settling on.
+    /// Records the internal energy (J) at a time (s) later than the last; true from the moment of settling on.
     pub fn update(&mut self, time: f64, internal: f64) -> bool {
         if self.since.is_some() || time < self.first_contact {
             return self.since.is_some();

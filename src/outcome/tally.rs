@@ -1,6 +1,6 @@
-//! Exact sums per fragment: integers on a scale that all ranks agree on, so that it does not matter who adds what and when.
-//! A value is rounded once, to 2^-70 of the largest of its kind; 2^56 particles may be added up. Of two bodies that are asked about,
-//! what is theirs is summed apart.
+//! Exact sums per fragment: integers on a scale that all ranks agree on, so that the order of additions does not matter.
+//! A value is rounded once, to 2^-70 of the largest of its kind; 2^56 particles may be added up. The matter of the two bodies in
+//! question is summed apart.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -8,7 +8,7 @@ use super::Particle;
 use crate::domain::comm::Comm;
 use crate::math::Vec3;
 
-/// No body is asked about.
+/// No body is in question.
 pub const NONE: [usize; 2] = [usize::MAX; 2];
 /// Bits kept below the largest value.
 const BITS: i32 = 70;
@@ -41,7 +41,7 @@ pub struct Tally {
 impl Tally {
     pub const WORDS: usize = std::mem::size_of::<Self>() / 8;
 
-    /// `bodies`: numbers of the two that are asked about.
+    /// `bodies`: numbers of the two in question.
     pub fn add(&mut self, scale: &Scale, p: &Particle, bodies: [usize; 2]) {
         let (weighted, momentum) = (p.position * p.mass, p.velocity * p.mass);
         let [a, b] = bodies.map(|body| if p.body == body { p.mass } else { 0.0 });
@@ -65,12 +65,12 @@ impl Tally {
         self.value(scale, 0)
     }
 
-    /// Of each of the two bodies that were asked about, kg.
+    /// Mass of each of the two bodies in question, kg.
     pub fn masses(&self, scale: &Scale) -> [f64; 2] {
         [8, 9].map(|k| self.value(scale, k))
     }
 
-    /// At the density the bodies started with, m^3 (m^2 in 2D).
+    /// Volume at the initial density of the bodies, m^3 (m^2 in 2D).
     pub fn volume(&self, scale: &Scale) -> f64 {
         self.value(scale, 1)
     }

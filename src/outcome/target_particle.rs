@@ -1,8 +1,8 @@
-//! What craters and ejecta are measured from.
+//! Particles from which craters and ejecta are measured.
 
-/// A particle of the ground, seen from where the projectile hits.
+/// A particle of the ground, relative to the point of impact.
 pub struct TargetParticle {
-    /// m.
+    /// Above the face, m.
     pub height: f64,
     /// Along the face from the point of impact, m.
     pub aside: [f64; 2],
@@ -10,10 +10,10 @@ pub struct TargetParticle {
     pub speed: f64,
     /// kg.
     pub mass: f64,
-    /// Before the impact, m^3 (m^2 in 2D).
+    /// Volume before the impact, m^3 (m^2 in 2D).
     pub volume: f64,
-    /// Of its first density.
+    /// Density over its initial value.
     pub relative_density: f64,
-    /// Now and at the start, where its body has pores.
+    /// Distention now and at the start, where its body has pores.
     pub distention: Option<[f64; 2]>,
 }

@@ -1,7 +1,7 @@
-//! Which matter is vapour, and so holds nothing together: a gas; and what the equation of state knows as vapour. That is matter
+//! Which matter is vapour, and so has no cohesion: a gas; and vapour by its equation of state. That is matter
 //! hotter than the energy of complete vaporisation E_cv, at any density; and matter hotter than that of incipient vaporisation E_iv
-//! that is less dense than its solid, rho alpha < rho_0: there Tillotson's formula takes it for a mixture of liquid and gas, which
-//! bubbles part. Pressed together, such matter is condensed.
+//! that is less dense than its solid, rho alpha < rho_0: there Tillotson's formula treats it as a mixture of liquid and gas, which
+//! bubbles disrupt. Compressed, such matter is condensed.
 //!
 //! rho density, kg/m^3; alpha distention; rho_0 reference density of the matrix, kg/m^3.
 
@@ -37,7 +37,7 @@ impl Law {
     }
 }
 
-/// Tells vapour from the columns of a scene.
+/// Detects vapour by the columns of a scene.
 pub struct Vapour {
     laws: Vec<Law>,
     energy: Option<Column<f64>>,
@@ -46,7 +46,7 @@ pub struct Vapour {
 }
 
 impl Vapour {
-    /// `materials`: of each body.
+    /// `materials`: one per body.
     pub fn new<'a>(registry: &Registry, core: &Core, materials: impl Iterator<Item = &'a MaterialTable>) -> Self {
         Self {
             laws: materials.map(Law::of).collect(),
@@ -56,7 +56,7 @@ impl Vapour {
         }
     }
 
-    /// Damage of particle `i` of `body` as fragments see it: whole where it is vapour.
+    /// Damage of particle `i` of `body` for linking fragments: 1 where it is vapour.
     pub fn damage(&self, columns: &Columns, i: usize, body: usize, damage: f64) -> f64 {
         let u = self.energy.map_or(0.0, |column| columns.get(column, i));
         // Bodies without pores have a distention of one.

@@ -1,13 +1,14 @@
-//! One answer on all ranks: what failed on any of them fails on all, so that none waits in a collective for one that left.
+//! One result on all ranks: an operation that fails on one of them fails on all, so that none waits in a collective for a rank that
+//! has left it.
 
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 
-/// Bytes of an error's text that travel; longer texts are cut.
+/// Bytes of an error's text that are sent; longer texts are cut.
 const TEXT: usize = 1024;
-/// Stands between the parts of an error on its way.
+/// Separates the parts of an error in a message.
 const SEPARATOR: char = '\u{1f}';
-/// Stands first where [`Error::bad_input`] is set.
+/// First part where [`Error::bad_input`] is set.
 const BAD_INPUT: &str = "bad input";
 
 /// The result that all ranks share: their own value where every rank succeeded, else the error of the lowest rank that

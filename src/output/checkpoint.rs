@@ -1,4 +1,4 @@
-//! Checkpoints: every state column and what the run knows beside them, readable on any number of ranks. Two generations stay;
+//! Checkpoints: every state column and the other state of the run, readable on any number of ranks. Two generations stay;
 //! each column carries a checksum that neither the order of particles nor the number of ranks changes: the sum modulo 2^256,
 //! over particles, of blake3(id, the column's words). The reader takes the newest whole one.
 
@@ -10,20 +10,20 @@ use super::publish::{cannot, prepare, publish, sync_directory_of};
 use super::state_hash::{HashSum, hash_columns, state_columns};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
-use crate::particles::{Column, Columns, ParticleId, Registry, Shape};
+use crate::particles::{Column, ColumnShape, Columns, ParticleId, Registry};
 
 pub const NEWEST: &str = "checkpoint.h5";
 pub const PREVIOUS: &str = "checkpoint_previous.h5";
 
-/// What a checkpoint holds beside the columns.
+/// The contents of a checkpoint beside the columns.
 #[derive(Debug, Clone, PartialEq, Default, serde::Serialize, serde::Deserialize)]
 pub struct CheckpointMeta {
-    /// The scene as it was understood; a checkpoint of another scene is refused.
+    /// The scene as read, with defaults; a checkpoint of another scene is refused.
     pub scene: String,
-    /// Numbers by name, kept to the bit.
+    /// Numbers by name, bit for bit.
     pub reals: Vec<(String, Bits)>,
     pub integers: Vec<(String, u64)>,
-    /// Whatever else the caller keeps, as JSON.
+    /// Other state of the caller, as JSON.
     pub json: String,
 }
 
@@ -65,7 +65,7 @@ pub struct Checkpoint {
     pub refused: Option<Error>,
 }
 
-/// What the text part of the file holds.
+/// The text part of the file.
 #[derive(serde::Serialize, serde::Deserialize)]
 struct Header {
     dimension: usize,
@@ -73,7 +73,7 @@ struct Header {
     meta: CheckpointMeta,
 }
 
-/// Writes `checkpoint.h5`; the one that stood there becomes `checkpoint_previous.h5`. Collective.
+/// Writes `checkpoint.h5`; the existing one becomes `checkpoint_previous.h5`. Collective.
 pub fn write(
     directory: &Path,
     columns: &Columns,
@@ -103,7 +103,7 @@ fn fill(
         let entry = &columns.registry.entries[index];
         let at = format!("/columns/{}", entry.name);
         match entry.shape {
-            Shape::Id => file.write(&at, columns.words(index), entry.width, None)?,
+            ColumnShape::Id => file.write(&at, columns.words(index), entry.width, None)?,
             _ => file.write(&at, columns.numbers(index), entry.width, None)?,
         }
         file.attribute(&at, "unit", Value::Text(entry.info.unit))?;
@@ -112,7 +112,7 @@ fn fill(
     Ok(())
 }
 
-/// Ranks may differ in what they put there, in wall times say: rank 0's text counts.
+/// Headers of ranks may differ, in wall times for example: rank 0's text counts.
 fn write_header(file: &CollectiveFile, header: &Header, comm: &Comm) -> Result<()> {
     let mut text = serde_json::to_vec_pretty(header).map_err(|e| Error::new(e.to_string()))?;
     comm.broadcast(&mut text);
@@ -120,7 +120,7 @@ fn write_header(file: &CollectiveFile, header: &Header, comm: &Comm) -> Result<(
     file.attribute("/header", "checksum", Value::Text(&blake3::hash(&text).to_string()))
 }
 
-/// The new file is whole by now, if under its temporary name: at no moment is there none.
+/// The new file is complete by now under its temporary name, so that at any moment there is a checkpoint.
 fn keep_previous(directory: &Path) -> Result<()> {
     let newest = directory.join(NEWEST);
     if newest.exists() {
@@ -137,13 +137,13 @@ fn checksums(columns: &Columns, id: Column<ParticleId>, which: &[usize], comm: &
 
 /// Why a file is not taken.
 enum Refusal {
-    /// Damaged or unreadable: an older one may do.
+    /// Damaged or unreadable: an older one may be used.
     NotWhole(Error),
     /// Whole, but of another scene: the user must decide.
     OtherScene(Error),
 }
 
-/// Says what in the scene of a checkpoint, as it was understood, is not that of the run; none where both are the same.
+/// Describes how the scene of a checkpoint differs from that of the run; `None` where both are the same.
 pub type Differs<'a> = &'a dyn Fn(&str) -> Option<String>;
 
 /// The newest whole checkpoint of a directory, or none where there is no checkpoint at all. Collective.
@@ -176,7 +176,7 @@ pub fn read_newest(directory: &Path, registry: &Registry, comm: &Comm, differs: 
     refused.map_or(Ok(None), |error| Err(error.bad_input()))
 }
 
-/// As rank 0 sees it: file systems may tell ranks different things for a while.
+/// As rank 0 sees it: on a network file system ranks may see different states for a while.
 fn exists(path: &Path, comm: &Comm) -> bool {
     let mut found = [(comm.is_root() && path.exists()) as i64];
     comm.all_sum(&mut found);
@@ -230,7 +230,7 @@ fn read_columns(file: &CollectiveFile, header: &Header, registry: &Registry, com
             return Err(Error::new(format!("the column {} has not one row per particle", entry.name)));
         }
         let words = match entry.shape {
-            Shape::Id => file.read::<u64>(&at, entry.width, rows.clone())?,
+            ColumnShape::Id => file.read::<u64>(&at, entry.width, rows.clone())?,
             _ => bytemuck::cast_vec(file.read::<f64>(&at, entry.width, rows.clone())?),
         };
         columns.words_mut(index).copy_from_slice(&words);

@@ -1,5 +1,5 @@
 //! HDF5 files that all ranks write and read together. The safe HDF5 interface has no transfer properties, so the transfers
-//! themselves go through the C interface; after each one HDF5 is asked whether it really was collective.
+//! themselves go through the C interface; after each one it is checked that HDF5 made it collectively.
 //!
 //! Every method is collective and returns the same success or error on all ranks. In-memory and stored number types are
 //! always the same: a conversion inside HDF5 would silently break collective transfers.
@@ -25,7 +25,7 @@ use crate::error::{Error, Result};
 
 /// Bytes a rank moves in one transfer at most: MPI counts are 32-bit.
 const PIECE: usize = 1 << 30;
-/// Whether HDF5 could not let go of a file that it failed to write.
+/// Whether HDF5 could not close a file that it failed to write.
 static STUCK: AtomicBool = AtomicBool::new(false);
 
 /// Whether some rank holds a file that HDF5 cannot close. HDF5 would try once more while MPI ends, and crash: such a job ends
@@ -52,7 +52,7 @@ pub enum Value<'a> {
     Reals(&'a [f64]),
     Integers(&'a [i64]),
     Text(&'a str),
-    /// Eight ASCII characters of fixed length, as VTK wants them.
+    /// Eight ASCII characters of fixed length, as VTK requires.
     Ascii8(&'a str),
 }
 
@@ -97,7 +97,7 @@ impl<'a> CollectiveFile<'a> {
         let file = agree(comm, act(&builder).map_err(|e| failure(verb, &place, e)))?;
         let opened = Self { file, comm, place, collective: Cell::new(true) };
         if comm.raw_file_hints().is_some() {
-            // Asked on all ranks, even where one alone logs.
+            // On all ranks, even where one alone logs.
             let hints = opened.hints()?;
             tracing::debug!("{} is open with the hints {hints:?}", opened.place);
         }
@@ -114,7 +114,7 @@ impl<'a> CollectiveFile<'a> {
         let mut handle = std::ptr::null_mut();
         // H5P_DEFAULT is 0.
         let found = hdf5::h5call!(H5Fget_vfd_handle(self.file.id(), 0, &mut handle));
-        self.agree("ask for the hints of", "/", found)?;
+        self.agree("read the hints of", "/", found)?;
         // SAFETY: the file was opened by the driver for MPI, whose handle is a pointer to its `MPI_File`.
         Ok(unsafe { self.comm.hints_of_file(handle) })
     }
@@ -144,7 +144,7 @@ impl<'a> CollectiveFile<'a> {
         Ok(self.agree("read the attribute", &format!("{object}@{name}"), text)?.to_string())
     }
 
-    /// Names of what a group holds.
+    /// Names of the members of a group.
     pub fn members(&self, group: &str) -> Result<Vec<String>> {
         self.agree("list", group, self.file.group(group).and_then(|g| g.member_names()))
     }
@@ -202,7 +202,7 @@ impl<'a> CollectiveFile<'a> {
         Ok(dataset.shape().first().copied().unwrap_or(0))
     }
 
-    /// Reads rows of a dataset, on each rank its own; a rank may want none. The stored numbers must be of type `T`.
+    /// Reads rows of a dataset, on each rank its own; a rank may read none. The stored numbers must be of type `T`.
     pub fn read<T: H5Type + Clone + Default>(&self, path: &str, width: usize, rows: Range<usize>) -> Result<Vec<T>> {
         let dataset = self.agree("open the dataset", path, self.open_dataset::<T>(path, width, &rows))?;
         let mut values = vec![T::default(); rows.len() * width];
@@ -294,12 +294,12 @@ fn write_attribute(at: &Location, name: &str, value: Value) -> hdf5::Result<()> 
     }
 }
 
-/// HDF5's own words for what failed, innermost last.
+/// The messages of HDF5, innermost last.
 fn failure(verb: &str, place: &str, error: hdf5::Error) -> Error {
     Error::new(format!("cannot {verb}: {error}")).at(place)
 }
 
-/// A list of transfer properties that asks for collective transfers.
+/// A list of transfer properties for collective transfers.
 struct Transfer(hid_t);
 
 impl Transfer {
@@ -309,7 +309,7 @@ impl Transfer {
         Ok(list)
     }
 
-    /// What HDF5 says about the last transfer made with this list, on this rank.
+    /// Whether HDF5 reports the last transfer made with this list on this rank as collective.
     fn was_collective(&self) -> hdf5::Result<bool> {
         let (mut mode, mut local, mut global) = (0, 0, 0);
         hdf5::h5call!(H5Pget_mpio_actual_io_mode(self.0, &mut mode))?;

@@ -1,5 +1,5 @@
 //! history.csv: one row per recorded step, written by rank 0. A resumed run cuts the rows beyond the step it starts from, so
-//! that the file reads as if nothing had happened. A file that is damaged is set aside: the checkpoint is what counts.
+//! that the file is that of an uninterrupted run. A damaged file is set aside, as the checkpoint alone decides.
 
 use std::fs::{File, OpenOptions};
 use std::io::Write;
@@ -10,7 +10,7 @@ use super::publish::{cannot, replace_text};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 
-/// The name that a history gets with which a resumed run cannot go on.
+/// The name that a history gets that a resumed run cannot continue.
 pub const DAMAGED: &str = "history_damaged.csv";
 
 /// One field of a row.
@@ -25,16 +25,16 @@ pub enum Cell {
 pub struct History {
     path: PathBuf,
     file: Option<File>,
-    /// How many, and which of them counts steps.
+    /// Number of columns, and which of them counts steps.
     columns: usize,
     step: usize,
-    /// Of the last row.
+    /// Step of the last row.
     last: Option<u64>,
     line: String,
 }
 
 impl History {
-    /// `columns` are (name, unit), and the one named `step` counts steps. A new run (`resumed` is none) starts the file
+    /// `columns` are (name, unit), and the one named `step` counts steps. A new run (`resumed` is `None`) starts the file
     /// afresh; a resumed one keeps its rows up to that step. Collective.
     pub fn open(path: &Path, columns: &[(&str, &str)], resumed: Option<u64>, comm: &Comm) -> Result<Self> {
         let open = || Self::open_alone(path, columns, resumed);
@@ -105,14 +105,14 @@ fn quoted(text: &str) -> String {
     if text.contains([',', '"']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
 }
 
-/// Gives a history that cannot be gone on with another name; an empty one says nothing.
+/// Renames a history that cannot be continued; an empty one holds nothing to keep.
 fn set_aside(path: &Path, why: &Error) -> Result<()> {
     let aside = path.with_file_name(DAMAGED);
     if std::fs::metadata(path).is_ok_and(|file| file.is_file() && file.len() == 0) {
         tracing::warn!("{} is empty and begins anew", path.display());
         return Ok(());
     }
-    tracing::warn!("{} begins anew, what stood there is now {DAMAGED}: {why}", path.display());
+    tracing::warn!("{} begins anew, the old file is now {DAMAGED}: {why}", path.display());
     std::fs::rename(path, aside).map_err(|e| cannot("rename", path, e))
 }
 
@@ -121,14 +121,14 @@ fn kept(old: &[u8], columns: &[(&str, &str)], last: u64) -> Result<(String, Opti
     let old = String::from_utf8_lossy(old);
     let header = header(columns);
     if old.lines().next() != Some(header.as_str()) {
-        return Err(Error::new("the history to go on with has other columns").allowed(header));
+        return Err(Error::new("the history to be continued has other columns").allowed(header));
     }
     let step = columns.iter().position(|(name, _)| *name == "step").unwrap_or(0);
     let (mut text, mut newest) = (String::new(), None);
     for line in old.split_inclusive('\n').skip(1).filter(|line| line.ends_with('\n')) {
         let fields = fields(line.trim_end());
         let number = fields.get(step).and_then(|field| field.parse::<u64>().ok());
-        // What a failing disk has left between whole rows goes.
+        // Remains of a failing disk between whole rows are dropped.
         if fields.len() == columns.len() && number.is_some_and(|n| n <= last && newest.is_none_or(|newest| n > newest))
         {
             text.push_str(line);
@@ -179,7 +179,7 @@ mod tests {
         assert_eq!(text.lines().next(), Some("time [s],limit,step,energy [J]"));
     }
 
-    /// The checkpoint is whole; what is beside it must not refuse it.
+    /// Where the checkpoint is whole, a damaged history must not prevent resuming.
     #[test]
     fn a_damaged_history_begins_anew_and_is_kept() {
         let directory = tempfile::tempdir().unwrap();

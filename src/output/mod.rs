@@ -1,4 +1,4 @@
-//! What a run leaves behind: snapshots, checkpoints, history, summary, figures. Columns come from the registry; nothing here
+//! The files of a run: snapshots, checkpoints, history, summary, figures. Columns come from the registry; nothing here
 //! knows an effect.
 
 pub mod agree;

@@ -1,8 +1,8 @@
-//! Signals amid a write, on demand, for tests of what is left then. Costs one comparison per dataset.
+//! Signals during a write, on demand, for tests of the files that remain. Costs one comparison per dataset.
 
 use std::sync::atomic::{AtomicI32, Ordering};
 
-/// Where in a write a signal may come.
+/// Where in a write a signal may be raised.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Moment {
     /// A dataset has been made and its numbers are about to be written.
@@ -11,10 +11,10 @@ pub enum Moment {
     Written,
 }
 
-/// The signals that are to come, one per moment; zero is none.
+/// The signals to be raised, one per moment; zero is none.
 static SIGNALS: [AtomicI32; 2] = [AtomicI32::new(0), AtomicI32::new(0)];
 
-/// This process raises `signal` when it comes to that moment next.
+/// Makes this process raise `signal` when it next reaches that moment.
 pub fn arm(moment: Moment, signal: i32) {
     SIGNALS[moment as usize].store(signal, Ordering::Relaxed);
 }

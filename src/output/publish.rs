@@ -25,7 +25,7 @@ pub fn prepare<T>(path: &Path, comm: &Comm, fill: impl FnOnce(&CollectiveFile) -
     };
     CollectiveFile::create(&temporary(path), comm).and_then(write).map_err(|error| {
         if comm.is_root() {
-            // On a full disk the room is wanted; where not even this works, the error to be told is the first one.
+            // On a full disk this frees space; where not even this works, the error to be reported is the first one.
             let _ = fs::remove_file(temporary(path));
         }
         error.allowed("room on the disk, and no lower limit on the size of a file")
@@ -43,11 +43,11 @@ pub fn replace_text(path: &Path, text: &str) -> Result<()> {
     replace(path, text.as_bytes())
 }
 
-/// The same for any bytes.
+/// Replaces a small file by `bytes`; for one rank.
 pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
     let written = fs::write(temporary(path), bytes).map_err(|e| cannot("write", path, e)).and_then(|()| rename(path));
     written.inspect_err(|_| {
-        // As above.
+        // On a full disk this frees space; the first error is the one to be reported.
         let _ = fs::remove_file(temporary(path));
     })
 }
@@ -59,13 +59,13 @@ fn rename(path: &Path) -> Result<()> {
     sync_directory_of(path)
 }
 
-/// A rename is lasting only once its directory is on disk.
+/// A rename is permanent only once its directory is on disk.
 pub fn sync_directory_of(path: &Path) -> Result<()> {
     let directory = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     File::open(directory).and_then(|d| d.sync_all()).map_err(|e| cannot("bring to disk", directory, e))
 }
 
-/// An error of the file system, with what was tried.
+/// An error of the file system, with the action that failed.
 pub fn cannot(verb: &str, path: &Path, error: std::io::Error) -> Error {
     Error::new(format!("cannot {verb}: {error}")).at(path.display().to_string())
 }

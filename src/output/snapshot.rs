@@ -1,5 +1,5 @@
 //! Snapshots: VTKHDF 2.0 files (PolyData, one vertex per particle) that ParaView, PyVista and h5py open directly, written
-//! collectively. Particles stand in no special order; `id` tells who is who. Every field has the attributes `unit` and
+//! collectively. Particles are in no special order; `id` identifies them. Every field has the attributes `unit` and
 //! `description`. Outside /VTKHDF, /run holds time, step, program, version and scene, and /conservation the balance sheet.
 //! Format: VTK file formats, "VTKHDF", section PolyData.
 
@@ -15,7 +15,7 @@ use crate::error::{Error, Result};
 use crate::material::BodyConstants;
 use crate::math::{Deviator, Vec3};
 use crate::particles::columns::Entry;
-use crate::particles::{Column, Columns, ParticleId, Shape};
+use crate::particles::{Column, ColumnShape, Columns, ParticleId};
 
 /// How numbers are stored; ids and body numbers are always exact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -26,7 +26,7 @@ pub struct Storage {
     pub gzip: Option<u8>,
 }
 
-/// What goes into a snapshot besides the program's name and version.
+/// The contents of a snapshot besides the program's name and version.
 pub struct Snapshot<'a> {
     pub columns: &'a Columns,
     /// One entry per body.
@@ -34,7 +34,7 @@ pub struct Snapshot<'a> {
     /// s.
     pub time: f64,
     pub step: u64,
-    /// The scene as understood.
+    /// The scene as read, with defaults.
     pub scene: &'a str,
     /// Conservation figures by name.
     pub figures: &'a [(String, f64)],
@@ -104,7 +104,7 @@ impl Snapshot<'_> {
         let id = find::<ParticleId>(columns, "id")?;
         let body = |i: usize| columns.get(id, i).body();
         let all = 0..columns.len();
-        let about = "Number of the body the particle belongs to.";
+        let about = "Number of the body to which the particle belongs.";
         let bodies: Vec<i32> = all.clone().map(|i| body(i) as i32).collect();
         self.write_exact(file, &Label { name: "body", unit: "", about }, &bodies)?;
         let masses: Vec<f64> = all.clone().map(|i| self.bodies[body(i)].particle_mass).collect();
@@ -114,23 +114,23 @@ impl Snapshot<'_> {
             Some(column) => all.map(|i| columns.get(column, i)).collect(),
             None => all.map(|i| self.bodies[body(i)].smoothing_length).collect::<Vec<f64>>(),
         };
-        let about = "Smoothing length; the kernel's support is twice as wide.";
+        let about = "Smoothing length; the radius of the kernel's support is twice as large.";
         self.write_field(file, &Label { name: "smoothing_length", unit: "m", about }, &h, 1)
     }
 
     fn write_column(&self, file: &CollectiveFile, entry: &Entry) -> Result<()> {
         let (columns, label) = (self.columns, label(entry));
         match entry.shape {
-            Shape::Id => {
+            ColumnShape::Id => {
                 let column = find::<ParticleId>(columns, &entry.name)?;
                 self.write_exact(file, &label, columns.words(column.index))
             }
-            Shape::Scalar => {
+            ColumnShape::Scalar => {
                 let column = find::<f64>(columns, &entry.name)?;
                 self.write_field(file, &label, columns.numbers(column.index), 1)
             }
-            Shape::Vector => self.write_field(file, &label, &self.vectors(find(columns, &entry.name)?), 3),
-            Shape::Deviator => self.write_field(file, &label, &self.tensors(find(columns, &entry.name)?), 6),
+            ColumnShape::Vector => self.write_field(file, &label, &self.vectors(find(columns, &entry.name)?), 3),
+            ColumnShape::Deviator => self.write_field(file, &label, &self.tensors(find(columns, &entry.name)?), 6),
         }
     }
 
@@ -216,7 +216,7 @@ fn extend_series_alone(path: &Path, snapshot: &str, time: f64) -> Result<()> {
     replace_text(path, &format!("{series:#}\n"))?;
     for name in old.iter().filter_map(|f| f["name"].as_str()) {
         if name != snapshot && is_name(name) {
-            // One that is there no more is what is wanted.
+            // It may be gone already.
             let _ = std::fs::remove_file(path.with_file_name(name));
         }
     }
@@ -249,7 +249,7 @@ mod tests {
         assert_eq!((&series["files"], &series["file-series-version"]), (&expected, &json!("1.0")));
     }
 
-    /// Where a run is resumed with snapshots farther apart, the list and the files agree.
+    /// When a run is resumed with snapshots farther apart, the list and the files agree.
     #[test]
     fn snapshots_beyond_the_newest_are_cut_off() {
         let directory = tempfile::tempdir().unwrap();

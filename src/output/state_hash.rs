@@ -1,5 +1,5 @@
-//! The state of a run as one number that no order and no decomposition can change: the sum modulo 2^256, over all particles,
-//! of blake3 of the particle's global id and its state columns, and of blake3 of what the steps to come depend on beside them. Two
+//! The state of a run as one number that does not depend on order or decomposition: the sum modulo 2^256, over all particles,
+//! of blake3 of the particle's global id and its state columns, and of blake3 of the other state that later steps depend on. Two
 //! runs agree in it exactly when they agree bit for bit.
 
 use std::fmt;
@@ -71,7 +71,7 @@ pub fn state_columns(columns: &Columns) -> Vec<usize> {
 }
 
 /// This rank's share of the sum over particles of blake3(id, words of the columns `which`), little-endian. The id, which
-/// stands first, is left out where it comes again as a column.
+/// comes first, is left out where it is one of the columns.
 pub fn hash_columns(columns: &Columns, id: Column<ParticleId>, which: &[usize]) -> HashSum {
     let which: Vec<usize> = which.iter().copied().filter(|&index| index != id.index).collect();
     let add_particle = |(mut sum, mut bytes): (HashSum, Vec<u8>), i: usize| {
@@ -93,8 +93,8 @@ pub fn hash_columns(columns: &Columns, id: Column<ParticleId>, which: &[usize]) 
     parts.map(|(sum, _)| sum).reduce(HashSum::default, merge)
 }
 
-/// The hash of the whole state, the same for any ranks and threads: that of the columns, and of what all ranks know `beside` them.
-/// Collective.
+/// The hash of the whole state, the same for any ranks and threads: that of the columns, and of the state `beside` them that all
+/// ranks know. Collective.
 pub fn state_hash(columns: &Columns, id: Column<ParticleId>, beside: &[u8], comm: &Comm) -> String {
     let mine = hash_columns(columns, id, &state_columns(columns));
     let mut sum = HashSum::over_ranks(&[mine], comm)[0];

@@ -1,4 +1,4 @@
-//! summary.json: what a run found and what it cost, under keys that scripts may rely on.
+//! summary.json: results and cost of a run, under keys that scripts may rely on.
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -30,7 +30,7 @@ impl<'de> Deserialize<'de> for Figures {
     }
 }
 
-/// Names with values, in the order in which they stand.
+/// Names with values, in the order of the file.
 fn pairs<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
     deserializer: D,
 ) -> std::result::Result<Vec<(String, T)>, D::Error> {
@@ -87,7 +87,7 @@ pub struct Summary {
     pub version: String,
     /// See [`super::state_hash`]: the same for any ranks and threads.
     pub state_hash: String,
-    /// State of the steps beside the particles: number and length of steps, time, what integrators and gravity keep.
+    /// State of the steps beside the particles: number and length of steps, time, state of integrators and gravity.
     pub step_state: serde_json::Value,
     /// Simulated time at the end, s.
     pub time: f64,
@@ -98,22 +98,22 @@ pub struct Summary {
     pub wall_seconds: f64,
     /// Waits inside MPI, summed over ranks.
     pub mpi_wait_seconds: f64,
-    /// User and system time of all threads of all ranks, less what MPI waits spun away.
+    /// User and system time of all threads of all ranks, less the time spent spinning in MPI waits.
     pub core_seconds: f64,
-    /// Directed, inside the support.
+    /// Directed pairs inside the support.
     pub pair_interactions: u64,
     /// One update is one force evaluation of one owned particle.
     pub updates_per_core_second: f64,
-    /// (Peak resident set - what the process held after MPI_Init) / particles, over all ranks.
+    /// (Peak resident set - resident set after MPI_Init) / particles, over all ranks.
     pub bytes_per_particle: f64,
     pub list_bytes_per_particle: f64,
     /// Largest |E - E0| over the run, over the initial kinetic energy in the centre-of-mass frame.
     #[serde(deserialize_with = "number")]
     pub energy_drift: f64,
-    /// The same over the kinetic energy in that frame at the end; not a number where less than 1e-3 of the scale above is left.
+    /// Largest |E - E0| over the kinetic energy in that frame at the end; NaN where less than 1e-3 of the initial one is left.
     #[serde(deserialize_with = "number")]
     pub energy_drift_over_left: f64,
-    /// Over sum m |v|.
+    /// Drift of momentum over sum m |v|.
     #[serde(deserialize_with = "number")]
     pub momentum_drift: f64,
     #[serde(deserialize_with = "number")]
@@ -140,27 +140,27 @@ pub struct Summary {
     pub late_stage: Option<Figures>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outcome: Option<Figures>,
-    /// Of an impact's bodies: shares of their own matter.
+    /// Shares of the own matter of an impact's bodies.
     #[serde(skip_serializing_if = "Remnants::is_empty")]
     pub remnants: Remnants,
-    /// What was handed on to an N-body program.
+    /// The bodies written for an N-body program.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub nbody: Option<Figures>,
-    /// Of a search, whose impacts are read instead.
+    /// Result of a search; not read back, as its impacts are.
     #[serde(skip_serializing_if = "Option::is_none", skip_deserializing)]
     pub threshold: Option<Threshold>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<Accuracy>,
-    /// What to know before trusting the rest.
+    /// Limits of the validity of the results.
     pub warnings: Vec<Warning>,
 }
 
-/// A setting that was chosen for the accuracy that was asked for, by a study of the scene.
+/// A setting that a study of the scene chose for a requested accuracy.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Accuracy {
-    /// Relative.
+    /// Requested relative error.
     pub asked: f64,
-    /// What the study found with this setting, and of which figure.
+    /// The error that the study found with this setting, and of which figure.
     pub expected: f64,
     pub figure: String,
     pub core_seconds: f64,
@@ -174,12 +174,12 @@ pub struct Accuracy {
     pub point: usize,
 }
 
-/// What a threshold search found; specific energies in J/kg.
+/// Result of a threshold search; specific energies in J/kg.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Threshold {
     pub q_star_d: f64,
     pub q_star_rd: f64,
-    /// Of Q*_D: half the bracket, residual of the fit, shift between the two times of evaluation, scatter between
+    /// Uncertainty of Q*_D: half the bracket, residual of the fit, shift between the two times of evaluation, scatter between
     /// realisations and drift of energy where an impact warns of it, combined.
     pub uncertainty: f64,
     pub uncertainty_of_q_star_rd: f64,
@@ -220,7 +220,7 @@ impl Summary {
         agree(comm, mine)
     }
 
-    /// What stands in the file, on all ranks; none where there is none, or what is there is no summary. Collective.
+    /// The contents of the file, on all ranks; `None` where there is no file or it holds no summary. Collective.
     pub fn read(path: &Path, comm: &Comm) -> Option<Self> {
         let mut text = if comm.is_root() { std::fs::read(path).unwrap_or_default() } else { Vec::new() };
         comm.broadcast(&mut text);

@@ -12,7 +12,7 @@ pub fn words<const N: usize>(cells: [&str; N]) -> Vec<String> {
 /// Rows with their cells below each other.
 pub fn aligned(rows: &[Vec<String>]) -> String {
     let columns = rows.first().map_or(0, Vec::len);
-    // Names may hold anything.
+    // Names may hold any characters.
     let cell = |cell: &String| plain(cell).replace('\n', "\\n");
     let rows: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(cell).collect()).collect();
     let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
@@ -43,7 +43,7 @@ pub fn duration(seconds: f64) -> String {
     scaled(seconds, &[(86400.0, "days"), (3600.0, "h"), (60.0, "min"), (1.0, "s")])
 }
 
-/// In the largest unit that leaves more than one and a half of it, or in the last.
+/// `x` in the largest unit of which it is more than one and a half, or in the last.
 fn scaled(x: f64, units: &[(f64, &str)]) -> String {
     let last = units.len() - 1;
     let (unit, name) = units[units.iter().position(|(unit, _)| x > 1.5 * unit).unwrap_or(last)];

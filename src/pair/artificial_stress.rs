@@ -1,8 +1,8 @@
 //! Artificial stress against the tensile instability (Gray, Monaghan & Swift 2001, CMAME 190, 6641, eqs 29-32): on each
 //! principal axis in tension, R = -epsilon sigma; between two particles it acts with f^4, f = W(r) / W(spacing).
 //!
-//! Its force is not central. Where forces are to exert no torque, only the part along the line between both counts: a [`tension`] of the pair,
-//! as large along the principal axes, that turns nothing.
+//! Its force is not central. Where angular momentum is conserved, only the part along the line between both counts: a [`tension`]
+//! of the pair, as large along the principal axes, that exerts no torque.
 
 use super::Pair;
 use super::stress::PairStress;
@@ -43,7 +43,7 @@ pub fn reference(kernel: Kernel, h: f64) -> f64 {
     }
 }
 
-/// f^4 (R_i + R_j) added to the pair's stress; returns f^4 v_ij . (R_i + R_j) . x_ij, what it takes from the energy.
+/// f^4 (R_i + R_j) added to the pair's stress; returns f^4 v_ij . (R_i + R_j) . x_ij, by which it lowers the energy.
 ///
 /// # Safety
 /// As for [`Lanes`].

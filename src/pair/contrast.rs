@@ -1,6 +1,6 @@
-//! Pairs of very different density: air or vapour beside rock. The plain sums let both particles of a pair give way alike, so that gas that
-//! runs against rock counts as compression of the rock, and the pressure that this makes, with the bulk modulus of rock, throws the gas
-//! away. Here the heavy one stands and the light one gives way, by the shares
+//! Pairs of very different density: air or vapour beside rock. The plain sums share the strain of a pair evenly, so that gas
+//! moving against rock counts as compression of the rock, and the resulting pressure, with the bulk modulus of rock, expels the
+//! gas. Here the light particle takes most of the strain, by the shares
 //!
 //! ```text
 //! w_i = 2 rho_j / (rho_i + rho_j)        w_i + w_j = 2

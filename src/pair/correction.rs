@@ -1,6 +1,6 @@
 //! Correction of the velocity gradient, L M^-1, exact for linear velocity fields and so free of strain in rigid rotation
 //! (Geretshauser et al. 2010, Eqs. 13-15, with x_j - x_i in both). M needs neighbours in all directions: where they are too
-//! few or lie in a plane or on a line, the uncorrected gradient stands.
+//! few or lie in a plane or on a line, the uncorrected gradient is used.
 
 use crate::math::{Mat3, Sym};
 
@@ -10,10 +10,10 @@ use crate::math::{Mat3, Sym};
 ///
 /// In an impact at 5 km/s the trace was 3 inside a body and up to 10 at its faces and edges; above 20 particles had 6 to 23
 /// neighbours in the mean, above 100 fewer than 7. Limits from 20 to 1e4 gave the same run; with 5 a fifth of the particles
-/// would go uncorrected, all of them at surfaces; without a limit steps fell to 1e-4 of those before.
+/// would be uncorrected, all of them at surfaces; without a limit steps fell to 1e-4 of those before.
 const MOST_INVERSE: f64 = 20.0;
 
-/// No eigenvalue is below 1/[`MOST_INVERSE`] then, and the determinant not below its power. It must be asked for, too: of two
+/// No eigenvalue is below 1/[`MOST_INVERSE`] then, and the determinant not below its power. It must be tested, too: of two
 /// neighbours or three, rounding leaves a determinant and cofactors of any sign, about 1e-16.
 const fn least_determinant(dimension: i32) -> f64 {
     let mut det = 1.0;

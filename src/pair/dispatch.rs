@@ -34,7 +34,7 @@ impl PairLoop {
         Self { constants, compiled: choose(dimension, terms, kernel, width) }
     }
 
-    /// Of the records that it reads.
+    /// Layout of the records that it reads.
     pub fn layout(&self) -> &Layout {
         &self.compiled.layout
     }
@@ -98,13 +98,13 @@ unsafe fn portable<F: Form, const D: usize>(r: &Rows, c: &Constants, w: Range<us
 
 #[target_feature(enable = "avx2,fma")]
 unsafe fn avx2<F: Form, const D: usize>(r: &Rows, c: &Constants, w: Range<usize>, out: &mut [RowSums]) {
-    // SAFETY: `choose` asks the processor first.
+    // SAFETY: `choose` checks the processor first.
     unsafe { sum_rows::<Avx2, F, D>(r, c, w, out) }
 }
 
 #[target_feature(enable = "avx512f,avx512vl,avx2,fma,popcnt")]
 unsafe fn avx512<F: Form, const D: usize>(r: &Rows, c: &Constants, w: Range<usize>, out: &mut [RowSums]) {
-    // SAFETY: `choose` asks the processor first.
+    // SAFETY: `choose` checks the processor first.
     unsafe { sum_rows::<Avx512, F, D>(r, c, w, out) }
 }
 

@@ -1,10 +1,10 @@
-//! Every term of a pair, on eight pairs at once: one function per term, each adding to sums of its own. A term that a scene does not ask
-//! for is a constant of the compiled form and leaves no instruction.
+//! Every term of a pair, on eight pairs at once: one function per term, each adding to sums of its own. A term that a scene does
+//! not request is a constant of the compiled form and leaves no instruction.
 
 use super::record::{Layout, StressTerm, Terms, ViscousTerm};
 use super::stress::{PairStress, add_pressure_force};
 use super::viscosity::{Inputs, viscous};
-use super::{Pair, artificial_stress, contrast, torque};
+use super::{Pair, angular_momentum, artificial_stress, contrast};
 use crate::kernel::{SUPPORT, Shape};
 use crate::math::lanes::Lanes;
 
@@ -27,7 +27,7 @@ pub struct Fixed<L: Lanes> {
     pub beta: L,
 }
 
-/// Sums of one row on eight lanes; what they stand for is said at [`RowSums`](super::RowSums).
+/// Sums of one row on eight lanes; for their meaning see [`RowSums`](super::RowSums).
 #[derive(Clone, Copy)]
 pub struct Sums<L: Lanes, const D: usize> {
     pub force: [L; D],
@@ -133,7 +133,7 @@ pub unsafe fn interact<L: Lanes, F: Form, const D: usize>(
     }
 }
 
-/// Eight pairs: both records, and what the terms share.
+/// Geometry shared by the kernels of a pair.
 struct Meeting<'a, L: Lanes, const D: usize> {
     i: &'a Side<L>,
     j: &'a Side<L>,
@@ -148,7 +148,7 @@ struct Meeting<'a, L: Lanes, const D: usize> {
     shares: [L; 2],
 }
 
-/// Where eight pairs stand and how they move; counts those that are inside the larger support.
+/// Relative positions and velocities of eight pairs; counts those that are inside the larger support.
 ///
 /// # Safety
 /// As for [`Lanes`].
@@ -186,7 +186,7 @@ unsafe fn meet<'a, L: Lanes, F: Form, const D: usize>(
     }
 }
 
-/// What viscosity adds to a pair.
+/// Viscosity of a pair.
 struct Resistance<L: Lanes> {
     r_inverse: L,
     /// p_ij, Pa; zero without viscosity.
@@ -259,15 +259,15 @@ unsafe fn slope<L: Lanes, F: Form, const D: usize>(r: L, g: L) -> L {
     }
 }
 
-/// What acts along the line between two particles, as far as heat goes by it.
+/// Forces along the line between two particles that contribute to heating.
 struct Acting<L: Lanes> {
     /// Pressure of the pair that heats: viscous, less a central artificial stress, Pa.
     pressure: L,
-    /// Power that an artificial stress takes from the energy instead.
+    /// Power by which a full artificial stress lowers the energy instead.
     taken: L,
 }
 
-/// The force of stress tensors, with artificial stress and the antisymmetric stress that leaves no torque.
+/// The force of stress tensors, with artificial stress and the antisymmetric stress that conserves angular momentum.
 ///
 /// # Safety
 /// As for [`Lanes`].
@@ -306,7 +306,7 @@ unsafe fn add_tensor<L: Lanes, F: Form, const D: usize>(
             if F::TERMS.contrast() {
                 (w_i, w_j) = (contrast::share_of(shares[0], w_i), contrast::share_of(shares[1], w_j));
             }
-            torque::add_force(&w_i, &w_j, pair, &mut sums.force);
+            angular_momentum::add_force(&w_i, &w_j, pair, &mut sums.force);
         }
         acting
     }

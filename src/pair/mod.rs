@@ -1,4 +1,4 @@
-//! What acts between two particles. One loop per substep, in gather form: every particle sums over all its neighbours, so
+//! Interactions of pairs of particles. One loop per substep, in gather form: every particle sums over all its neighbours, so
 //! that no two threads write to one place, and each term is antisymmetric (forces) or matched (energy) pair by pair:
 //!
 //!   a_i   = (1/rho_i) sum_j V_j (sigma_i + sigma_j - p_ij 1 + f^4 (R_i + R_j)) . gW
@@ -7,7 +7,7 @@
 //!
 //! with x_ij = x_i - x_j, v_ij = v_i - v_j, gW = (grad W(h_i) + grad W(h_j)) / 2, V = min(m/rho, V_max), rho_i = m_i/V_i, and sigma the
 //! damaged stress. In a pair of unlike h the smaller counts as two thirds of the larger at least: V_j is made for h_j, and a light particle
-//! beside a heavy one would see V_j / h_i^d times what it should with a kernel of its own, and be as much too stiff for its step.
+//! beside a heavy one would, with a kernel of its own, feel V_j / h_i^d times the right force, and be too stiff for its step.
 //!
 //! The force of i on j is minus that of j on i term by term, and the energy sums are the exact
 //! counterpart of the momentum sums (swap i and j in the double sum), so that sum m (v^2/2 + u) is constant. Where densities
@@ -15,6 +15,7 @@
 //!
 //! One term, one file: adding one is a file here, its numbers in [`record::Layout`], and a function in [`interact`].
 
+pub mod angular_momentum;
 pub mod artificial_stress;
 pub mod contrast;
 pub mod correction;
@@ -23,7 +24,6 @@ pub mod interact;
 pub mod record;
 pub mod rows;
 pub mod stress;
-pub mod torque;
 pub mod viscosity;
 
 pub use dispatch::PairLoop;

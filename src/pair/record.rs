@@ -1,7 +1,7 @@
 //! The pair record: exactly what a neighbour's loop reads of a particle, in whole cache lines, one record per owned or ghost
-//! particle. Which numbers it holds follows from the terms that the scene asks for.
+//! particle. Which numbers it holds follows from the terms that the scene requests.
 
-/// The terms of the pair loop in a scene. What needs another term can only be said together with it.
+/// The terms of the pair loop in a scene. A term that needs another can only be chosen together with it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Terms {
     pub stress: StressTerm,
@@ -11,7 +11,7 @@ pub struct Terms {
 /// The stress that acts between particles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StressTerm {
-    /// A pressure, where nothing has strength.
+    /// A pressure, where no body has strength.
     Pressure { gradient: PressureGradient },
     /// The full tensor.
     Tensor {
@@ -25,7 +25,7 @@ pub enum StressTerm {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PressureGradient {
     Plain,
-    /// `contrast`: of pairs of very different density the light one gives way.
+    /// `contrast`: in pairs of very different density the light particle takes most of the strain.
     Corrected {
         contrast: bool,
     },
@@ -35,7 +35,7 @@ pub enum PressureGradient {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TensorGradient {
     Plain,
-    /// `angular_momentum`: an antisymmetric stress takes the torque of all forces away.
+    /// `angular_momentum`: an antisymmetric stress cancels the torque of all forces.
     Corrected {
         contrast: bool,
         angular_momentum: bool,
@@ -48,7 +48,7 @@ pub enum ViscousTerm {
     Off,
     /// One beta for all materials.
     SameBeta,
-    /// beta differs: it stands in the record.
+    /// beta differs: it is in the record.
     OwnBeta,
 }
 
@@ -70,7 +70,7 @@ impl Terms {
         )
     }
 
-    /// Whether pairs of very different density are told apart.
+    /// Whether pairs of very different density share the strain unevenly.
     pub const fn contrast(&self) -> bool {
         matches!(
             self.stress,
@@ -79,7 +79,7 @@ impl Terms {
         )
     }
 
-    /// Whether forces exert no torque.
+    /// Whether forces conserve angular momentum.
     pub const fn angular_momentum(&self) -> bool {
         matches!(
             self.stress,
@@ -93,7 +93,7 @@ impl Terms {
     }
 }
 
-/// Where each number stands in a record.
+/// The position of each number in a record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Layout {
     pub dimension: usize,
@@ -188,8 +188,8 @@ impl Layout {
     }
 }
 
-/// A number of which only the first 32 bits stand in a record, to 5e-7. These enter both sides of a pair alike, so that sums are conserved as
-/// exactly as with all bits, and a solid's record takes two lines.
+/// A number of which only the first 32 bits are in a record, to 5e-7. These enter both sides of a pair alike, so that sums are
+/// conserved as exactly as with all bits, and a solid's record takes two lines.
 pub fn half(record: &[f64], k: usize) -> f64 {
     f64::from_bits(u64::from(bytemuck::cast_slice::<f64, u32>(record)[k]) << 32)
 }

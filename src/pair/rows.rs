@@ -1,5 +1,5 @@
 //! The pair loop: for each row (an owned particle and its neighbours) the sums of all terms, in one pass over the records.
-//! Neighbour k of a row stands on lane k mod 8; lanes are folded in one fixed order. Rows are padded with a record that
+//! Neighbour k of a row is on lane k mod 8; lanes are folded in one fixed order. Rows are padded with a record that
 //! adds exact zeros.
 
 use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
@@ -25,7 +25,7 @@ pub struct RowSums {
     pub neighbours: u32,
 }
 
-/// What the loop reads.
+/// The input of the loop.
 #[derive(Clone, Copy)]
 pub struct Rows<'a> {
     /// Records in slot order, the padding record last; `Layout::stride` numbers each.
@@ -99,8 +99,8 @@ pub unsafe fn sum_rows<L: Lanes, F: Form, const D: usize>(
     }
 }
 
-/// Asks for records that rows to come will read: rows that follow each other have nearly the same neighbours, so that each asks
-/// for its share of those of one row ahead.
+/// Prefetches records that later rows will read: consecutive rows have nearly the same neighbours, so that each fetches
+/// its share of those of one row ahead.
 #[inline(always)]
 fn fetch_ahead(rows: &Rows, row: usize, stride: usize) {
     let Some(&[start, end]) = rows.offsets.get(row + AHEAD..).and_then(|ends| ends.first_chunk()) else { return };

@@ -1,4 +1,4 @@
-//! Stress divergence in the (sigma_i + sigma_j) form, with velocity gradient as its energy counterpart (design, section 4).
+//! Stress divergence in the (sigma_i + sigma_j) form, with velocity gradient as its energy counterpart.
 //! The viscous pressure p_ij of the pair is subtracted on the diagonal.
 
 use super::Pair;

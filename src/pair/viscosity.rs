@@ -5,7 +5,7 @@
 use super::Pair;
 use crate::math::lanes::Lanes;
 
-/// What viscosity reads of the two particles.
+/// Inputs of viscosity from the two particles.
 #[derive(Clone, Copy)]
 pub struct Inputs<L: Lanes> {
     /// rho_i, rho_j, kg/m^3.

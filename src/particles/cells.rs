@@ -8,13 +8,13 @@ use super::periods::Periods;
 /// The widest level: two cells per dimension.
 pub const MAX_LEVEL: u32 = curve::BITS - 1;
 
-/// Cells are this much wider than the radii they hold, so that rounding in `x / side` cannot part neighbours.
+/// Cells are this much wider than the radii they hold, so that rounding in `x / side` cannot separate neighbours.
 const MARGIN: f64 = 1.0 + 1.0 / (1 << 20) as f64;
 
 /// Far below that margin, far above rounding.
 const HAIR: f64 = 1.0 / (1u64 << 40) as f64;
 
-/// A particle as the neighbour search sees it: state at the last list build.
+/// A particle of the neighbour search: state at the last list build.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Site<const D: usize> {
     pub id: u64,
@@ -25,7 +25,7 @@ pub struct Site<const D: usize> {
 }
 
 impl<const D: usize> Site<D> {
-    /// The image at this distance.
+    /// The image at this shift.
     #[inline]
     pub fn shifted(&self, shift: &[f64; D]) -> Self {
         Self { position: std::array::from_fn(|k| self.position[k] + shift[k]), ..*self }
@@ -58,11 +58,11 @@ impl Lattice {
         Self { sides: [radius * MARGIN; 3], origin: [0.0; 3], period: [0; 3] }
     }
 
-    /// The same in space that closes on itself; list radii up to `largest` get levels that fit into the periods, which must
+    /// The lattice of a periodic domain; list radii up to `largest` get levels that fit into the periods, which must
     /// be twice as long.
     pub fn periodic(radius: f64, largest: f64, periods: &Periods) -> Self {
         let mut lattice = Self::new(radius);
-        // Cells along periodic axes are a little wider than asked for, so the level is found with the others.
+        // Cells along periodic axes are a little wider than requested, so the level is found with the others.
         let level = lattice.level(largest);
         for axis in (0..3).filter(|&axis| periods.closed(axis)) {
             let widest = lattice.sides[axis] * (1u64 << level) as f64;

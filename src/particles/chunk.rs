@@ -60,7 +60,7 @@ impl<'a> Chunk<'a> {
         self.range.is_empty()
     }
 
-    /// Asks for all columns of these particles of the chunk: they will be read soon.
+    /// Prefetches all columns of these particles of the chunk, which will be read soon.
     pub fn fetch(&self, particles: Range<usize>) {
         for &(start, width) in self.pointers {
             for line in (particles.start * width..particles.end * width).step_by(WORDS_OF_LINE) {

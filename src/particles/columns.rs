@@ -1,4 +1,4 @@
-//! Columns: one quantity of all particles of a rank. Effects ask the registry for the columns they own when a scene is set
+//! Columns: one quantity of all particles of a rank. Effects declare the columns they own in the registry when a scene is set
 //! up and keep typed handles; allocation, migration, checkpoint, snapshot and the manual's table follow from the registry
 //! alone. Every column is an array of 64-bit words, so that all of these move words and know no physics.
 
@@ -13,9 +13,9 @@ use super::order::Reordering;
 use crate::error::{Error, Result};
 use crate::math::{Deviator, Vec3};
 
-/// What a column holds per particle.
+/// The values of a column per particle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Shape {
+pub enum ColumnShape {
     Scalar,
     /// One number per dimension.
     Vector,
@@ -24,13 +24,13 @@ pub enum Shape {
     Id,
 }
 
-impl Shape {
+impl ColumnShape {
     /// Words of 64 bits per particle.
     pub fn words(self, dimension: usize) -> usize {
         match self {
-            Shape::Scalar | Shape::Id => 1,
-            Shape::Vector => dimension,
-            Shape::Deviator => 2 * dimension - 1,
+            ColumnShape::Scalar | ColumnShape::Id => 1,
+            ColumnShape::Vector => dimension,
+            ColumnShape::Deviator => 2 * dimension - 1,
         }
     }
 }
@@ -40,7 +40,7 @@ impl Shape {
 pub enum Life {
     /// Part of the state that a step changes: kept in checkpoints, counted in the state hash, and set back where a step is refused.
     State,
-    /// The same, but no step moves it on: what stays for good, and what evaluations and list builds leave for those to come.
+    /// Part of the state that a step does not change: constants, and results of evaluations and list builds for later ones.
     Kept,
     /// Follows from the state; moves with the particle, is not kept.
     Scratch,
@@ -80,11 +80,11 @@ impl<T> Clone for Column<T> {
 }
 impl<T> Copy for Column<T> {}
 
-/// A state column that the integrator moves on by its rate.
+/// A state column that the integrator advances by its rate.
 #[derive(Debug)]
 pub struct Integrated<T> {
     pub value: Column<T>,
-    /// Number among the integrated columns; its rate stands there in [`Rates`](super::Rates).
+    /// Number among the integrated columns; the place of its rate in [`Rates`](super::Rates).
     pub slot: usize,
 }
 
@@ -95,16 +95,16 @@ impl<T> Clone for Integrated<T> {
 }
 impl<T> Copy for Integrated<T> {}
 
-/// Something a column can hold.
+/// A type of value that a column can hold.
 pub trait Element: Copy {
-    const SHAPE: Shape;
+    const SHAPE: ColumnShape;
     /// Reads from `words` (as many as the shape has).
     fn load(words: impl Fn(usize) -> u64, width: usize) -> Self;
     fn store(self, words: impl Fn(usize, u64), width: usize);
 }
 
 impl Element for f64 {
-    const SHAPE: Shape = Shape::Scalar;
+    const SHAPE: ColumnShape = ColumnShape::Scalar;
     #[inline(always)]
     fn load(words: impl Fn(usize) -> u64, _: usize) -> Self {
         f64::from_bits(words(0))
@@ -116,7 +116,7 @@ impl Element for f64 {
 }
 
 impl Element for ParticleId {
-    const SHAPE: Shape = Shape::Id;
+    const SHAPE: ColumnShape = ColumnShape::Id;
     #[inline(always)]
     fn load(words: impl Fn(usize) -> u64, _: usize) -> Self {
         ParticleId(words(0))
@@ -129,7 +129,7 @@ impl Element for ParticleId {
 
 /// In 2D the third component reads as zero and is not stored.
 impl Element for Vec3 {
-    const SHAPE: Shape = Shape::Vector;
+    const SHAPE: ColumnShape = ColumnShape::Vector;
     #[inline(always)]
     fn load(words: impl Fn(usize) -> u64, width: usize) -> Self {
         let z = if width == 3 { f64::from_bits(words(2)) } else { 0.0 };
@@ -146,7 +146,7 @@ impl Element for Vec3 {
 }
 
 impl Element for Deviator {
-    const SHAPE: Shape = Shape::Deviator;
+    const SHAPE: ColumnShape = ColumnShape::Deviator;
     #[inline(always)]
     fn load(words: impl Fn(usize) -> u64, width: usize) -> Self {
         let at = |k| f64::from_bits(words(k));
@@ -181,12 +181,12 @@ impl Values for Columns {
 #[derive(Debug, Clone)]
 pub struct Entry {
     pub info: ColumnInfo,
-    /// Name in files: the declared one, with what an integrator adds to the names of its own columns.
+    /// Name in files: the declared one, with the suffix of an integrator's own columns.
     pub name: String,
-    pub shape: Shape,
+    pub shape: ColumnShape,
     /// 64-bit words per particle.
     pub width: usize,
-    /// Who declared it.
+    /// The effect that declared it.
     pub owner: &'static str,
 }
 
@@ -205,7 +205,7 @@ impl Registry {
         Self { dimension, entries: Vec::new(), integrated: Vec::new(), owner: "" }
     }
 
-    /// Names the effect that declares the columns to come.
+    /// Sets the effect that declares the following columns.
     pub fn owner(&mut self, owner: &'static str) -> &mut Self {
         self.owner = owner;
         self
@@ -215,7 +215,7 @@ impl Registry {
         self.push::<T>(info, info.name.to_string())
     }
 
-    /// A state column that the integrator moves on by its rate.
+    /// Declares a state column that the integrator advances by its rate.
     pub fn integrated<T: Element>(&mut self, info: ColumnInfo) -> Integrated<T> {
         let value = self.push::<T>(info, info.name.to_string());
         self.integrated.push(value.index);
@@ -232,11 +232,11 @@ impl Registry {
     /// The column another effect declared, if this scene has it.
     pub fn find<T: Element>(&self, name: &str) -> Option<Column<T>> {
         let index = self.entries.iter().position(|e| e.name == name)?;
-        assert!(self.entries[index].shape == T::SHAPE, "column {name} asked for with another shape");
+        assert!(self.entries[index].shape == T::SHAPE, "column {name} requested with another shape");
         Some(Column { index, element: PhantomData })
     }
 
-    /// The same, where `who` cannot do without it.
+    /// The column another effect declared, which `who` needs.
     pub fn need<T: Element>(&self, who: &str, name: &str) -> Result<Column<T>> {
         let missed = || Error::new(format!("{who} needs the column {name}, which nothing in this scene has"));
         self.find(name).ok_or_else(missed)
@@ -335,7 +335,7 @@ impl Columns {
         value.store(|k, w| words[k].set(w), width);
     }
 
-    /// The particles in the order `order[new] = old`; `scratch` is reused between calls.
+    /// Reorders the particles, `order[new] = old`; `scratch` is reused between calls.
     pub fn reorder(&mut self, order: &[u32], scratch: &mut Vec<u64>) {
         for (column, entry) in self.words.iter_mut().zip(&self.registry.entries) {
             let width = entry.width;
@@ -350,7 +350,7 @@ impl Columns {
         self.len = order.len();
     }
 
-    /// The same particles in another order.
+    /// Reorders the particles.
     pub fn rearrange(&mut self, reordering: &Reordering) {
         let columns = self.words.par_iter_mut().zip(&self.registry.entries);
         columns.for_each(|(column, entry)| reordering.apply(column, entry.width));

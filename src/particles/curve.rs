@@ -31,7 +31,7 @@ impl Block {
         Self::of(decode::<D>(code).map(|c| (c.saturating_sub(1), (c + 1).min(side - 1))), |_, c| c)
     }
 
-    /// The same on a lattice that closes on itself after `period` cells from its middle on; zero along open axes.
+    /// [`Block::around`] on a lattice that is periodic after `period` cells from its middle on; zero along open axes.
     pub fn around_periodic<const D: usize>(code: u64, side: u32, period: [u32; D]) -> Self {
         let ranges: [(u32, u32); D] = std::array::from_fn(|k| {
             let c = decode::<D>(code)[k];

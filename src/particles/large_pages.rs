@@ -1,12 +1,12 @@
 //! Large pages for large arrays: gathers over many megabytes miss fewer translations, and fresh memory comes with a five-hundredth
-//! of the faults. Where the system does not offer them, nothing happens.
+//! of the faults. Where the system does not offer them, memory stays as it is.
 
 /// Bytes of a page, and of a large one.
 const PAGE: usize = 4 << 10;
 const LARGE: usize = 2 << 20;
 
-/// Asks for large pages where the array's memory, spare capacity included, may hold some. What was written before keeps the
-/// pages it has: to be called when an array has got its memory.
+/// Requests large pages where the array's memory, spare capacity included, may hold some. Memory that was written before keeps its
+/// pages: to be called when an array has been allocated.
 pub fn prefer_large_pages<T>(array: &Vec<T>) {
     let bytes = array.capacity() * size_of::<T>();
     if bytes < 2 * LARGE {

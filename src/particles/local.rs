@@ -50,7 +50,7 @@ impl<const D: usize> Local<D> {
         self.build_placed(lattice, owned, places, incoming);
     }
 
-    /// The same where places are known.
+    /// [`Local::build`] where places are known.
     pub fn build_placed(&mut self, lattice: &Lattice, owned: &[Site<D>], places: Vec<Place>, incoming: &[Site<D>]) {
         self.clear();
         self.reserve(owned.len() + incoming.len());
@@ -86,7 +86,7 @@ impl<const D: usize> Local<D> {
         self.slot_of_incoming.len()
     }
 
-    /// Gives back what only the making of lists reads.
+    /// Releases the data that only the making of lists reads.
     pub fn forget_places(&mut self) {
         self.places = Vec::new();
         self.position = std::array::from_fn(|_| Vec::new());

@@ -1,4 +1,4 @@
-//! The particles of one rank: columns, who owns which, and local views of them.
+//! The particles of one rank: columns, ids and order, cells, and local views of them.
 
 pub mod cells;
 pub mod chunk;
@@ -13,7 +13,7 @@ pub mod rates;
 
 pub use cells::{Lattice, Place, Site};
 pub use chunk::{Chunk, View};
-pub use columns::{Column, ColumnInfo, Columns, Element, Integrated, Life, Registry, Shape, Values};
+pub use columns::{Column, ColumnInfo, ColumnShape, Columns, Element, Integrated, Life, Registry, Values};
 pub use id::ParticleId;
 pub use local::Local;
 pub use periods::Periods;

@@ -1,4 +1,4 @@
-//! Back into order with few moves. Between two list builds most particles stay in their cells, so the old order is sorted but
+//! Sorts particles with few moves. Between two list builds most particles stay in their cells, so the old order is sorted but
 //! for some strays: the particles outside its longest ascending subsequence. The others move in long runs, and all of it
 //! happens in place.
 //!
@@ -10,24 +10,24 @@
 /// With more strays than one in so many, particles are gathered one by one.
 const FEW: usize = 4;
 
-/// A way from one order to another.
+/// The moves from one order to another.
 #[derive(Debug, PartialEq)]
 pub enum Reordering {
     /// Runs that keep their order, ascending, and strays as (from, to).
-    Moves { runs: Vec<Run>, strays: Vec<(u32, u32)> },
+    Moves { runs: Vec<MovedRun>, strays: Vec<(u32, u32)> },
     /// `order[new] = old`.
     Gather(Vec<u32>),
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Run {
+pub struct MovedRun {
     from: u32,
     to: u32,
     len: u32,
 }
 
 impl Reordering {
-    /// What sorts `keys`, which are all different.
+    /// The reordering that sorts `keys`, which are all different.
     pub fn sorting<K: Ord + Copy>(keys: &[K]) -> Self {
         match strays(keys) {
             Some(strays) => Self::moves(keys, strays),
@@ -42,7 +42,7 @@ impl Reordering {
     /// `strays`: ascending.
     fn moves<K: Ord + Copy>(keys: &[K], mut strays: Vec<u32>) -> Self {
         let n = keys.len() as u32;
-        // Runs end where a stray stood.
+        // Runs end where a stray was.
         let mut pieces = Vec::with_capacity(2 * strays.len() + 1);
         let mut start = 0;
         for &stray in strays.iter().chain([&n]) {
@@ -55,7 +55,7 @@ impl Reordering {
         let (mut runs, mut moved) = (Vec::with_capacity(pieces.len() + strays.len()), Vec::with_capacity(strays.len()));
         let (mut rest, mut to) = (strays.into_iter().peekable(), 0);
         for (mut from, end) in pieces {
-            // And where one will stand.
+            // And where one will be.
             while from < end {
                 let cut = match rest.peek() {
                     Some(&stray) => {
@@ -65,7 +65,7 @@ impl Reordering {
                     None => end,
                 };
                 if from < cut {
-                    runs.push(Run { from, to, len: cut - from });
+                    runs.push(MovedRun { from, to, len: cut - from });
                     to += cut - from;
                     from = cut;
                 }
@@ -85,12 +85,12 @@ impl Reordering {
             Self::Moves { runs, strays } => {
                 let at = |i: u32| i as usize * width..(i as usize + 1) * width;
                 let saved: Vec<T> = strays.iter().flat_map(|&(from, _)| &items[at(from)]).copied().collect();
-                let mut shift = |run: &Run| {
+                let mut shift = |run: &MovedRun| {
                     let [from, to, len] = [run.from, run.to, run.len].map(|n| n as usize * width);
                     items.copy_within(from..from + len, to);
                 };
                 // Neighbouring runs that move up make room for each other from the last one on; those that move down, from
-                // the first one on. A group of one kind never writes to what another has still to read: targets ascend
+                // the first one on. A group of one kind never writes to words that another has still to read: targets ascend
                 // like sources, and lie beyond them in the one kind and before them in the other.
                 for group in runs.chunk_by(|a, b| (a.to > a.from) == (b.to > b.from)) {
                     if group[0].to > group[0].from {
@@ -118,7 +118,7 @@ impl Reordering {
 /// ascending order; none if they are too many.
 fn strays<K: Ord + Copy>(keys: &[K]) -> Option<Vec<u32>> {
     const NONE: u32 = u32::MAX;
-    // The smallest last element of the ascending subsequences of each length, and what stands before each element.
+    // The smallest last element of the ascending subsequences of each length, and the predecessor of each element.
     let (mut last, mut before) = (Vec::<u32>::with_capacity(keys.len()), Vec::with_capacity(keys.len()));
     let mut searched = 0;
     for (i, key) in keys.iter().enumerate() {
@@ -129,7 +129,7 @@ fn strays<K: Ord + Copy>(keys: &[K]) -> Option<Vec<u32>> {
             if searched * FEW > keys.len() {
                 return None;
             }
-            // Strays from the next cells stand just before the end.
+            // Strays from the next cells are just before the end.
             let mut step = 1;
             while step < length && !less(&last[length - 1 - step]) {
                 step *= 2;
@@ -187,7 +187,7 @@ mod tests {
     #[test]
     fn few_strays_leave_the_others_in_runs() {
         let mut keys: Vec<u64> = (0..100).map(|k| 10 * k).collect();
-        // A whole group runs ahead, one falls back, one goes to the front.
+        // A whole group moves ahead, one falls back, one moves to the front.
         keys[20..23].copy_from_slice(&[801, 802, 803]);
         keys[60] = 305;
         keys[99] = 5;

@@ -1,4 +1,4 @@
-//! Space that closes on itself: along a periodic axis positions live in one period, and what leaves it on one side comes back
+//! Periodic domains: along a periodic axis positions are in one period, and a particle that leaves it on one side re-enters
 //! on the other.
 
 /// The period of each axis; without limits along open ones.
@@ -27,7 +27,7 @@ impl Periods {
         (0..3).filter(|&axis| self.closed(axis)).map(|axis| self.length[axis]).fold(f64::INFINITY, f64::min)
     }
 
-    /// The coordinate within its period. Whatever is not finite stays as it is.
+    /// The coordinate within its period. A coordinate that is not finite stays as it is.
     pub fn wrapped(&self, axis: usize, x: f64) -> f64 {
         let (low, length) = (self.low[axis], self.length[axis]);
         if !self.closed(axis) || (low..low + length).contains(&x) {
@@ -43,7 +43,7 @@ impl Periods {
         if self.closed(axis) { ((x - self.wrapped(axis, x)) / self.length[axis]).round() } else { 0.0 }
     }
 
-    /// From a particle to its nearest images: nothing first, then one period along one or more axes. m.
+    /// Shifts from a particle to its nearest images, m: zero first, then one period along one or more axes.
     pub fn shifts<const D: usize>(&self) -> Vec<[f64; D]> {
         let mut shifts = vec![[0.0; D]];
         for axis in (0..D).filter(|&axis| self.closed(axis)) {
@@ -71,7 +71,7 @@ mod tests {
     fn positions_come_back_on_the_other_side() {
         assert_eq!([-7.0, 7.0].map(|x| TUBE.wrapped(0, x)), [-7.0, 7.0]);
         assert_eq!([-1.0, 2.0, 1.75, -1.5, 8.25].map(|x| TUBE.wrapped(1, x)), [-1.0, -1.0, 1.75, 1.5, -0.75]);
-        // A hair below the edge would round to the far one.
+        // Just below the edge would round to the far one.
         assert_eq!(TUBE.wrapped(2, -1e-30), 0.0);
         assert_eq!([-1.0, 2.0, 1.75, -1.5, 8.25].map(|x| TUBE.rounds(1, x)), [0.0, 1.0, 0.0, -1.0, 3.0]);
         assert_eq!([TUBE.rounds(0, 7.0), TUBE.rounds(2, -1e-30)], [0.0, 0.0]);

@@ -1,12 +1,12 @@
-//! Rates of a chunk's particles as an evaluation finds them. They stand apart from the columns: nothing of the state has changed
-//! when they are known, and an integrator decides what becomes of them.
+//! Rates of a chunk's particles as an evaluation finds them. They are apart from the columns: the state has not changed
+//! when they are known, and an integrator decides how to use them.
 
 use std::cell::Cell;
 
 use super::chunk::{CHUNK, View};
 use super::columns::{Element, Integrated, Registry};
 
-/// Bits of the exponent; all of them are set in infinities and in what is no number.
+/// Bits of the exponent; all of them are set in infinities and NaN.
 const EXPONENT: u64 = 0x7ff << 52;
 
 /// Room for the rates of one chunk.
@@ -57,7 +57,7 @@ impl Rates {
         &words[k * width..(k + 1) * width]
     }
 
-    /// Whether those of the first `count` particles are finite.
+    /// Whether the rates of the first `count` particles are finite.
     pub fn are_finite(&self, count: usize, dimension: usize) -> bool {
         finite(words_of(&self.acceleration[..count * dimension]))
             && self.blocks.iter().all(|block| finite(&block.words[..count * block.width]))
@@ -76,7 +76,7 @@ pub fn finite(words: &[Cell<u64>]) -> bool {
     carried >> 63 == 0
 }
 
-/// As [`finite`].
+/// Whether all numbers are finite.
 pub fn all_finite(numbers: &[f64]) -> bool {
     let carried = numbers.iter().fold(0, |any, x| any | ((x.to_bits() & EXPONENT) + (1 << 52)));
     carried >> 63 == 0

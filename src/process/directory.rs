@@ -1,6 +1,6 @@
-//! Where a run writes: one run, one folder, held by a lock while it is at work. A folder that sph-mpi made for a run is renamed
-//! when the next one begins, never overwritten. A folder that holds anything else stays where it is: a run is written beside
-//! what stands there, or refused where it would write over it.
+//! The folder of a run: one run, one folder, held by a lock while the run works. A folder that sph-mpi made for a run is renamed
+//! when the next one begins, never overwritten. A folder that holds other files keeps its name: a run is written beside
+//! them, or refused where it would write over one.
 
 use std::path::{Path, PathBuf};
 
@@ -11,9 +11,9 @@ use crate::output::checkpoint::{NEWEST, PREVIOUS};
 use crate::output::publish::cannot;
 use crate::output::{agree, on_root};
 
-/// Tells a folder that sph-mpi made, or found empty, from one of the user's.
+/// Marks a folder that sph-mpi made, or found empty, to distinguish it from one of the user's.
 const MARK: &str = ".sph-mpi";
-const MARK_SAYS: &str = "sph-mpi made this folder for a run, and renames it when the next run is to stand here.\n";
+const MARK_SAYS: &str = "sph-mpi made this folder for a run, and renames it when the next run is written here.\n";
 
 /// Searches and studies have folders within folders.
 const LEVELS: usize = 2;
@@ -23,7 +23,7 @@ pub fn default_directory(scene: &Path) -> PathBuf {
     Path::new("runs").join(scene.file_stem().unwrap_or_default())
 }
 
-/// Makes the directory and takes its lock, which the caller holds while it works (rank 0 has it); a run that stands there is
+/// Makes the directory and takes its lock, which the caller holds while it works (rank 0 has it); a run that is there is
 /// renamed to `.1`, `.2`, ... unless it is resumed. Collective.
 pub fn prepare(path: &Path, resume: bool, work: Work, comm: &Comm) -> Result<Option<Lock>> {
     agree(comm, if comm.is_root() { prepare_alone(path, resume, work).map(Some) } else { Ok(None) })
@@ -38,14 +38,14 @@ pub fn share(path: &Path, comm: &Comm) -> Result<()> {
     on_root(comm, make)
 }
 
-/// Fails where there is nothing to go on from: a checkpoint, or one so many levels below, as a search has one in a folder for
+/// Fails where there is no checkpoint, here or up to so many levels below: a search has one in a folder for
 /// each impact, and a campaign in one of those of each search. Collective.
 pub fn require_checkpoint(path: &Path, levels: usize, comm: &Comm) -> Result<()> {
     let look = || {
         if holds_checkpoint(path, levels) {
             return Ok(());
         }
-        Err(Error::new("there is no checkpoint to go on from").at(path.display().to_string()))
+        Err(Error::new("there is no checkpoint to resume from").at(path.display().to_string()))
     };
     on_root(comm, look)
 }
@@ -60,7 +60,7 @@ fn holds_checkpoint(folder: &Path, levels: usize) -> bool {
 fn prepare_alone(path: &Path, resume: bool, work: Work) -> Result<Lock> {
     let folder = make(path)?;
     let lock = Lock::take(&folder, work)?;
-    nobody_around(&folder, work)?;
+    require_no_work_around(&folder, work)?;
     let found = entries(&folder);
     if resume {
         return Ok(lock);
@@ -71,7 +71,7 @@ fn prepare_alone(path: &Path, resume: bool, work: Work) -> Result<Lock> {
         return make_room(&folder, lock, work);
     } else {
         refuse_to_overwrite(path, &found)?;
-        tracing::info!("{}: other files stand here, and the run is written beside them", path.display());
+        tracing::info!("{}: other files are here, and the run is written beside them", path.display());
     }
     Ok(lock)
 }
@@ -87,12 +87,12 @@ fn make(path: &Path) -> Result<PathBuf> {
     }
     let make = std::fs::create_dir_all(&real).and_then(|()| real.canonicalize());
     make.map_err(|e| {
-        let what = if real.is_file() { "a file stands here".into() } else { format!("cannot write here: {e}") };
+        let what = if real.is_file() { "a file of this name exists".into() } else { format!("cannot write here: {e}") };
         Error::new(what).at(path.display().to_string()).allowed("a directory").bad_input()
     })
 }
 
-/// Names of what stands in a folder, but for what [`prepare`] puts there.
+/// Names of the entries of a folder, but for those that [`prepare`] makes.
 fn entries(folder: &Path) -> Vec<String> {
     let names = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.file_name());
     let mut names: Vec<String> = names.map(|name| name.to_string_lossy().into_owned()).collect();
@@ -101,7 +101,7 @@ fn entries(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Tasks may do so at once: whole or not, it is there.
+/// Tasks may do so at the same time: only the existence of the mark counts.
 fn mark(folder: &Path) -> Result<()> {
     let path = folder.join(MARK);
     std::fs::write(&path, MARK_SAYS).map_err(|e| cannot("write", &path, e))
@@ -109,16 +109,16 @@ fn mark(folder: &Path) -> Result<()> {
 
 /// No other process may be at work in a folder of a search or study, nor the search or study whose folder this is. Points of a
 /// study run while its tables are made.
-fn nobody_around(folder: &Path, work: Work) -> Result<()> {
+fn require_no_work_around(folder: &Path, work: Work) -> Result<()> {
     if work == Work::Tables {
         return Ok(());
     }
-    lock::nobody_below(folder, LEVELS, &is_part)?;
+    lock::require_none_below(folder, LEVELS, &is_part)?;
     let mut here = folder;
     for _ in 0..LEVELS {
         let name = here.file_name().unwrap_or_default().to_string_lossy();
         let Some(above) = here.parent().filter(|_| is_part(&name)) else { break };
-        lock::nobody_else(above, |work| matches!(work, Work::Search | Work::Study))?;
+        lock::require_no_other(above, |work| matches!(work, Work::Search | Work::Study))?;
         here = above;
     }
     Ok(())
@@ -131,14 +131,14 @@ fn make_room(folder: &Path, mut lock: Lock, work: Work) -> Result<Lock> {
         Err(Error::new(what).at(folder.display().to_string()).allowed(allowed).bad_input())
     };
     if std::env::current_dir().and_then(|here| here.canonicalize()).is_ok_and(|here| here.starts_with(folder)) {
-        return refused("a run stands here, and the directory in which one is cannot be renamed");
+        return refused("a run is here, and the current directory cannot be renamed");
     }
-    lock::nobody_below(folder, LEVELS, &|_| true)?;
+    lock::require_none_below(folder, LEVELS, &|_| true)?;
     let name = folder.file_name().unwrap_or_default().to_string_lossy();
     let free =
         (1..).map(|n| folder.with_file_name(format!("{name}.{n}"))).find(|path| path.symlink_metadata().is_err());
     let free = free.unwrap_or_default();
-    std::fs::rename(folder, &free).map_err(|e| cannot("rename the run that stands here", folder, e))?;
+    std::fs::rename(folder, &free).map_err(|e| cannot("rename the run that is here", folder, e))?;
     lock.moved_to(&free);
     std::fs::create_dir_all(folder).map_err(|e| cannot("write here", folder, e))?;
     let lock = Lock::take(folder, work)?;
@@ -151,16 +151,16 @@ fn refuse_to_overwrite(path: &Path, found: &[String]) -> Result<()> {
     let names: Vec<&str> = found.iter().map(String::as_str).filter(|name| is_of_a_run(name)).collect();
     let named = match names[..] {
         [] => return Ok(()),
-        [name] => format!("{name}, which a run writes over, stands"),
-        [first, second] => format!("{first} and {second}, which a run writes over, stand"),
-        [first, second, ..] => format!("{first}, {second} and more, which a run writes over, stand"),
+        [name] => format!("{name}, which a run writes over, is"),
+        [first, second] => format!("{first} and {second}, which a run writes over, are"),
+        [first, second, ..] => format!("{first}, {second} and more, which a run writes over, are"),
     };
     let what = format!("{named} in a folder that was not made for a run, and is not renamed");
-    let allowed = "another directory (--out), these files elsewhere, or --resume for a run that stands here";
+    let allowed = "another directory (--out), these files elsewhere, or --resume for a run that is here";
     Err(Error::new(what).at(path.display().to_string()).allowed(allowed).bad_input())
 }
 
-/// What a run, a search or a study writes.
+/// Whether a run, a search or a study writes a file of this name.
 pub fn is_of_a_run(name: &str) -> bool {
     const FILES: [&str; 30] = [
         "checkpoint.h5",
@@ -227,7 +227,7 @@ mod tests {
         let path = folder.path().join("impact");
         for round in 0..3 {
             run(&path, &round.to_string()).unwrap();
-            // What the user puts beside it goes with it.
+            // Files that the user puts beside it are renamed with it.
             fs::write(path.join("notes.txt"), round.to_string()).unwrap();
         }
         for (name, round) in [("impact.1", "0"), ("impact.2", "1"), ("impact", "2")] {
@@ -307,10 +307,10 @@ mod tests {
         assert!(at("link").is_symlink() && at("hop").is_symlink());
         assert_eq!(entries(folder.path()), ["hop", "link", "scratch"]);
         fs::write(at("file"), "").unwrap();
-        assert!(run(&at("file"), "").unwrap_err().what.starts_with("a file stands here"));
+        assert!(run(&at("file"), "").unwrap_err().what.starts_with("a file of this name exists"));
     }
 
-    /// Impacts and points have locks of their own, and nobody else may work in or around them.
+    /// Impacts and points have locks of their own, and no other process may work in or around them.
     #[test]
     fn searches_and_studies_hold_their_folders() {
         let folder = tempfile::tempdir().unwrap();
@@ -326,9 +326,9 @@ mod tests {
         leave(&path.join("point_001/impact_02"));
         for (taken, work) in [(&path.join("point_001"), Work::Search), (&path, Work::Study)] {
             let lock = if work == Work::Study { &study } else { &point };
-            assert!(nobody_around(taken, work).unwrap_err().place.ends_with("impact_02"), "{lock:?}");
+            assert!(require_no_work_around(taken, work).unwrap_err().place.ends_with("impact_02"), "{lock:?}");
         }
-        nobody_around(&path, Work::Tables).unwrap();
+        require_no_work_around(&path, Work::Tables).unwrap();
         drop(impact);
         fs::remove_file(path.join("point_001/impact_02").join(LOCK)).unwrap();
         leave(&path);

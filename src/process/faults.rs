@@ -1,12 +1,12 @@
 //! Faults on demand, for tests: `SPH_MPI_FAULT=KIND:RANK:STEP` happens on that rank in that step. Costs one comparison per step.
 //!
-//! - `panic` panics there, `pool` on the other threads of the rank's pool, `kill` ends the process without a word;
+//! - `panic` panics there, `pool` on the other threads of the rank's pool, `kill` ends the process without a message;
 //! - `stop` behaves as if SIGTERM had come;
-//! - `nan` makes a rate of one particle no number;
-//! - `memory` asks for more memory than there are addresses;
-//! - `full` lets no file of the rank grow any more, `full_in_checkpoint` asks for a checkpoint at that moment;
-//! - `kill_in_write`, `term_in_write` ask for a checkpoint and raise SIGKILL or SIGTERM amid the data of the next file, and
-//!   `kill_before_rename` when that file is whole and has not got its name yet.
+//! - `nan` makes a rate of one particle NaN;
+//! - `memory` requests more memory than there are addresses;
+//! - `full` lets no file of the rank grow any more, `full_in_checkpoint` requests a checkpoint at that moment;
+//! - `kill_in_write`, `term_in_write` request a checkpoint and raise SIGKILL or SIGTERM during the data of the next file, and
+//!   `kill_before_rename` when that file is complete, but still has its temporary name.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -16,17 +16,17 @@ use crate::material::{Core, Local, MaterialEffect, Setup};
 use crate::output::moment::{self, Moment};
 use crate::particles::{Integrated, Registry};
 
-/// Files cannot grow beyond this many bytes where the disk is to seem full: less than any checkpoint, more than a log.
+/// Files cannot grow beyond this many bytes where a full disk is simulated: less than any checkpoint, more than a log.
 const FULL: libc::rlim_t = 1 << 16;
 
-/// What is to happen on this rank, and when.
+/// The fault of this rank and its step.
 #[derive(Debug, Clone, Default)]
 pub struct Fault {
     kind: Option<Kind>,
     /// Whether the fault is this rank's.
     mine: bool,
     step: u64,
-    /// Set when a rate is to become no number.
+    /// Set when a rate is to become NaN.
     poisoned: Arc<AtomicBool>,
 }
 
@@ -55,25 +55,25 @@ pub enum Trigger {
 
 const VARIABLE: &str = "SPH_MPI_FAULT";
 
-fn asked() -> String {
+fn requested() -> String {
     std::env::var_os(VARIABLE).unwrap_or_default().to_string_lossy().into_owned()
 }
 
 impl Fault {
-    /// The fault that the environment asks for, as this rank sees it.
+    /// The fault that the environment requests, for this rank.
     pub fn of_rank(rank: usize) -> Self {
-        Self::parse(&asked(), rank).unwrap_or_default()
+        Self::parse(&requested(), rank).unwrap_or_default()
     }
 
-    /// An error where the environment asks for something else than a fault.
+    /// An error where the environment requests an unknown fault.
     pub fn check() -> Result<()> {
-        let text = asked();
+        let text = requested();
         if text.is_empty() || Self::parse(&text, 0).is_some() {
             return Ok(());
         }
         let allowed = "KIND:RANK:STEP, with one of panic, pool, kill, stop, nan, full, full_in_checkpoint, kill_in_write, \
                        term_in_write, kill_before_rename";
-        Err(Error::new(format!("`{text}` is no fault")).at(VARIABLE).allowed(allowed))
+        Err(Error::new(format!("`{text}` is not a fault")).at(VARIABLE).allowed(allowed))
     }
 
     fn parse(text: &str, rank: usize) -> Option<Self> {
@@ -99,19 +99,19 @@ impl Fault {
         Some(Self { kind: Some(kind), mine: on == rank, step, ..Self::default() })
     }
 
-    /// The effect by which a rate becomes no number; none where nothing of the kind is asked for. On all ranks alike.
+    /// The effect by which a rate becomes NaN; `None` where no such fault is requested. The same on all ranks.
     pub fn effect(&self, core: &Core) -> Option<Box<dyn MaterialEffect>> {
         let poison = || Poison { density: core.density, poisoned: Arc::clone(&self.poisoned) };
         (self.kind == Some(Kind::Nan)).then(|| Box::new(poison()) as Box<dyn MaterialEffect>)
     }
 
-    /// What happens in a step: the fault itself, where it is of this step, or what it requests.
+    /// Triggers the fault, if it is due in this step; returns what it requests of the run.
     pub fn trigger(&self, step: u64) -> Trigger {
         let Some(kind) = self.kind.filter(|_| self.mine && step == self.step) else { return Trigger::Nothing };
         match kind {
-            Kind::Panic => panic!("a panic was asked for at step {step}"),
+            Kind::Panic => panic!("a panic was requested at step {step}"),
             Kind::Pool => {
-                rayon::broadcast(|thread| assert_eq!(thread.index(), 0, "a panic was asked for at step {step}"));
+                rayon::broadcast(|thread| assert_eq!(thread.index(), 0, "a panic was requested at step {step}"));
             }
             // SAFETY: ends this process.
             Kind::Kill => drop(unsafe { libc::raise(libc::SIGKILL) }),
@@ -132,7 +132,7 @@ impl Fault {
     }
 }
 
-/// Gives the first particle of a rank a rate of density that is no number, from the moment on at which it is told to.
+/// Makes the rate of density of a rank's first particle NaN, once it is enabled.
 struct Poison {
     density: Integrated<f64>,
     poisoned: Arc<AtomicBool>,

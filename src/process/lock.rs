@@ -1,5 +1,6 @@
-//! Who is at work in a folder: a file `lock` with host, process and the time at which that process started, made by rank 0 and
-//! taken away when the work is done. What a killed run has left is told from a run at work where it was started on this host.
+//! The lock of a folder: a file `lock` with host, process and the time at which that process started, made by rank 0 and
+//! removed when the work is done. The lock of a killed run is distinguished from that of a working one if it was started on this
+//! host.
 
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
@@ -14,7 +15,7 @@ use crate::output::publish::cannot;
 /// The file's name.
 pub const LOCK: &str = "lock";
 
-/// What is done in a folder.
+/// The kind of work in a folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Work {
@@ -27,11 +28,11 @@ pub enum Work {
     Tables,
 }
 
-/// What the file says.
+/// The contents of the file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct Holder {
     work: Work,
-    /// The host's name; and what tells hosts of one name apart, where they say it.
+    /// The host's name; and the machine id, which distinguishes hosts of one name, where it is known.
     host: String,
     machine: String,
     process: u32,
@@ -41,9 +42,9 @@ struct Holder {
     start: u64,
     /// This start of the machine.
     boot: String,
-    /// Numbers of processes mean something within one of these only.
+    /// Process numbers are valid within one of these only.
     namespace: String,
-    /// Slurm's job, and how often it was put back into the queue: when it runs again it is over where it ran before.
+    /// Slurm's job, and how often it was requeued: when it runs again, the earlier run is over.
     job: String,
     restarts: u64,
 }
@@ -57,7 +58,7 @@ enum Life {
     Unknown,
 }
 
-/// A lock that this process holds; dropped, it is given back.
+/// A lock that this process holds; it is released when dropped.
 #[derive(Debug)]
 pub struct Lock {
     folder: PathBuf,
@@ -65,10 +66,10 @@ pub struct Lock {
 }
 
 impl Lock {
-    /// Takes the lock of a folder, or says who holds it. For one rank.
+    /// Takes the lock of a folder; an error names the holder. For one rank.
     pub fn take(folder: &Path, work: Work) -> Result<Self> {
-        // Of two that find a lock left behind only one may replace it. Both are on this host, where this keeps them apart; a
-        // file system without such locks keeps the rest.
+        // Of two processes that find a lock left behind only one may replace it. Both are on this host, where this file lock
+        // separates them; on a file system without such locks the rest still holds.
         let door = File::open(folder).map_err(|e| cannot("write here", folder, e))?;
         let _ = door.lock();
         let path = folder.join(LOCK);
@@ -79,7 +80,7 @@ impl Lock {
                 Ok(mut file) => {
                     let lock = Self { folder: folder.to_path_buf(), text };
                     if let Err(error) = file.write_all(lock.text.as_bytes()).and_then(|()| file.sync_all()) {
-                        // Half a lock is nobody's.
+                        // An incomplete lock must not remain.
                         let _ = fs::remove_file(&path);
                         return Err(cannot("write", &path, error));
                     }
@@ -92,7 +93,7 @@ impl Lock {
             }
             match Holder::of(&path)? {
                 Some(holder) if holder.life(&me) == Life::Gone => {
-                    tracing::info!("{}: left behind by {}, which is no more", path.display(), holder.process());
+                    tracing::info!("{}: left behind by {}, which has ended", path.display(), holder.process());
                     fs::remove_file(&path).map_err(|e| cannot("remove", &path, e))?;
                 }
                 Some(holder) => return Err(holder.refusal(&me, folder)),
@@ -101,7 +102,7 @@ impl Lock {
         }
     }
 
-    /// The folder has got another name.
+    /// To be called when the folder has been renamed.
     pub fn moved_to(&mut self, folder: &Path) {
         self.folder = folder.to_path_buf();
     }
@@ -110,7 +111,7 @@ impl Lock {
 impl Drop for Lock {
     fn drop(&mut self) {
         let path = self.folder.join(LOCK);
-        // Whoever removed it by hand may have begun another run here.
+        // A user who removed it by hand may have begun another run here.
         if fs::read_to_string(&path).is_ok_and(|text| text == self.text) {
             let _ = fs::remove_file(&path);
         }
@@ -118,19 +119,19 @@ impl Drop for Lock {
 }
 
 /// Fails where another process is at work in a folder that `matters`, at most so many levels below.
-pub fn nobody_below(folder: &Path, levels: usize, matters: &dyn Fn(&str) -> bool) -> Result<()> {
+pub fn require_none_below(folder: &Path, levels: usize, matters: &dyn Fn(&str) -> bool) -> Result<()> {
     let folders = fs::read_dir(folder).into_iter().flatten().flatten().filter(|entry| entry.path().is_dir());
     for entry in folders.filter(|entry| matters(&entry.file_name().to_string_lossy())) {
-        nobody_else(&entry.path(), |_| true)?;
+        require_no_other(&entry.path(), |_| true)?;
         if levels > 1 {
-            nobody_below(&entry.path(), levels - 1, matters)?;
+            require_none_below(&entry.path(), levels - 1, matters)?;
         }
     }
     Ok(())
 }
 
 /// Fails where another process holds the lock of the folder for work that `matters`.
-pub fn nobody_else(folder: &Path, matters: fn(Work) -> bool) -> Result<()> {
+pub fn require_no_other(folder: &Path, matters: fn(Work) -> bool) -> Result<()> {
     let me = Holder::me(Work::Run);
     match Holder::of(&folder.join(LOCK))? {
         Some(holder) if !matters(holder.work) || holder.life(&me) == Life::Gone || holder.is_same_process(&me) => {
@@ -160,7 +161,7 @@ impl Holder {
         }
     }
 
-    /// Who holds a lock; none where there is none.
+    /// The holder of a lock; `None` where there is no lock.
     fn of(path: &Path) -> Result<Option<Self>> {
         // One that is just being made, on another host, is empty for a moment.
         for _ in 0..20 {
@@ -175,7 +176,7 @@ impl Holder {
             }
             std::thread::sleep(Duration::from_millis(25));
         }
-        let what = "a lock stands here that does not say who holds it";
+        let what = "there is a lock here that does not name its holder";
         let allowed = "another directory (--out); or, if no run is at work here, this file removed";
         Err(Error::new(what).at(path.display().to_string()).allowed(allowed).bad_input())
     }
@@ -221,8 +222,8 @@ impl Holder {
         let (path, other) = (folder.join(LOCK), "another directory (--out)");
         let (unsure, allowed) = match self.life(me) {
             Life::Unknown => (
-                ", which cannot be looked after from here",
-                format!("{other}; or, if that process is no more, {} removed", path.display()),
+                ", which cannot be checked from here",
+                format!("{other}; or, if that process has ended, {} removed", path.display()),
             ),
             _ => ("", format!("{other}, or this one when that has ended")),
         };
@@ -231,8 +232,8 @@ impl Holder {
     }
 }
 
-/// Clock ticks from the start of the machine to that of a process, 0 where that has ended but was not taken note of by its
-/// parent; none where there is none or it cannot be seen.
+/// Clock ticks from the start of the machine to that of a process, 0 for one that has ended and was not yet reaped by its
+/// parent; `None` where there is none or it cannot be seen.
 fn start_of(process: u32) -> Option<u64> {
     let stat = fs::read_to_string(format!("/proc/{process}/stat")).ok()?;
     // pid (name) state parent ... start: the name may hold anything, brackets too.
@@ -240,9 +241,9 @@ fn start_of(process: u32) -> Option<u64> {
     if matches!(*fields.first()?, "Z" | "X") { Some(0) } else { fields.get(19)?.parse().ok() }
 }
 
-/// Whether a process that cannot be looked at is there.
+/// Whether a process exists whose details cannot be read.
 fn exists(process: u32) -> bool {
-    // SAFETY: signal 0 only asks.
+    // SAFETY: signal 0 only tests whether the process exists.
     let there = unsafe { libc::kill(process as libc::pid_t, 0) } == 0;
     there || std::io::Error::last_os_error().raw_os_error() == Some(libc::EPERM)
 }
@@ -298,7 +299,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let changes: [fn(&mut Holder); 3] = [
             |holder| holder.process = NOBODY,
-            // The number was given to another process since.
+            // The process number is that of another process by now.
             |holder| holder.start -= 1,
             |holder| holder.boot = "before the power failed".into(),
         ];
@@ -308,7 +309,7 @@ mod tests {
         }
     }
 
-    /// Put back into the queue, a job of Slurm may find itself on another host.
+    /// A requeued job of Slurm may run on another host.
     #[test]
     fn a_job_does_not_stand_in_its_own_way() {
         let of = |job: &str, host: &str, restarts: u64| Holder {
@@ -324,7 +325,7 @@ mod tests {
         assert_eq!(of("", "node1", 0).life(&of("", "node2", 1)), Life::Unknown);
     }
 
-    /// From here nothing tells whether they are at work: the error says what to do.
+    /// Whether they are at work cannot be known here: the error says what to do.
     #[test]
     fn locks_of_other_hosts_and_locks_that_say_nothing_are_left_to_the_user() {
         let folder = tempfile::tempdir().unwrap();
@@ -338,7 +339,7 @@ mod tests {
             leave(folder.path(), change);
             let error = Lock::take(folder.path(), Work::Run).unwrap_err();
             let how = format!("{} removed", path.display());
-            assert!(error.what.contains("cannot be looked after from here") && error.allowed.contains(&how), "{error}");
+            assert!(error.what.contains("cannot be checked from here") && error.allowed.contains(&how), "{error}");
         }
         for text in ["", "\0\0\0", "{}"] {
             fs::write(&path, text).unwrap();
@@ -349,7 +350,7 @@ mod tests {
         Lock::take(folder.path(), Work::Run).unwrap();
     }
 
-    /// Many at once, with a lock left behind or none: one gets it.
+    /// Many processes at once, with a lock left behind or none: one gets it.
     #[test]
     fn of_many_at_once_one_gets_it() {
         for stale in [false, true] {
@@ -383,12 +384,12 @@ mod tests {
         let all = |_: &str| true;
         // This process's own.
         let own = Lock::take(&impact, Work::Run).unwrap();
-        nobody_below(folder.path(), 2, &all).unwrap();
+        require_none_below(folder.path(), 2, &all).unwrap();
         drop(own);
         leave(&impact, |holder| holder.host = "node17".into());
-        nobody_below(folder.path(), 1, &all).unwrap();
-        assert!(nobody_below(folder.path(), 2, &all).unwrap_err().place.ends_with("impact_02"));
-        nobody_below(folder.path(), 2, &|name| name.starts_with("point")).unwrap();
+        require_none_below(folder.path(), 1, &all).unwrap();
+        assert!(require_none_below(folder.path(), 2, &all).unwrap_err().place.ends_with("impact_02"));
+        require_none_below(folder.path(), 2, &|name| name.starts_with("point")).unwrap();
     }
 
     #[test]

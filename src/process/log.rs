@@ -1,6 +1,6 @@
-//! The log: every line goes to the terminal of rank 0 and to the `log.txt` of the run that is going on; `RUST_LOG` filters.
+//! The log: every line goes to the terminal of rank 0 and to the `log.txt` of the current run; `RUST_LOG` filters.
 //! With a terminal attached, one progress bar stays below the lines; batch logs get plain lines from time to time instead. A
-//! terminal or a pipe that takes no more lines ends nothing: the run's own files are what counts.
+//! terminal or a pipe that takes no more lines does not end a run, whose own files are complete.
 
 use std::fs::File;
 use std::io::{IsTerminal, Write};
@@ -19,7 +19,7 @@ use crate::error::{Error, Result, plain};
 use crate::output::publish::cannot;
 
 static LOG_FILE: Mutex<Option<File>> = Mutex::new(None);
-/// Where it lies, on every rank.
+/// The path of the log file, on every rank.
 static LOG_PATH: Mutex<Option<PathBuf>> = Mutex::new(None);
 static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
 
@@ -30,7 +30,7 @@ struct Tee {
 
 impl Write for Tee {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        // One line, whatever names it tells.
+        // One line, whatever names it contains.
         let text = plain(String::from_utf8_lossy(bytes).trim_end()).replace('\n', "\\n") + "\n";
         let bar = BAR.lock().unwrap().clone();
         match bar {
@@ -48,10 +48,10 @@ impl Write for Tee {
     }
 }
 
-/// What hands this process's lines on, and ends with all ranks where it finds that nobody reads them any more.
+/// The launcher that forwards this process's lines; it ends all ranks where its own output is no longer read.
 static LAUNCHER: LazyLock<Option<u32>> = LazyLock::new(|| signals::launcher(parent_id()));
 
-/// Whether somebody reads what goes into the standard error of the launcher, if that is a pipe.
+/// Whether the standard error of the launcher, if that is a pipe, still has a reader.
 fn is_read() -> bool {
     let Some(launcher) = *LAUNCHER else { return true };
     let path = PathBuf::from(format!("/proc/{launcher}/fd/2"));
@@ -76,14 +76,14 @@ fn to_open_file(bytes: &[u8]) {
     }
 }
 
-/// An error: one line on the terminal, and in the log of the run that is going on. For the rank that speaks.
+/// An error: one line on the terminal, and in the log of the current run. For the rank that logs.
 pub fn error(error: &Error) {
     let line = format!("error: {}\n", plain(&error.to_string()));
     to_terminal(line.as_bytes());
     to_open_file(line.as_bytes());
 }
 
-/// Has every panic leave its line in the log of the run, whatever the rank.
+/// Writes every panic to the log of the run, whatever the rank.
 fn note_panics(rank: usize) {
     let next = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |info| {
@@ -97,7 +97,7 @@ fn note_panics(rank: usize) {
     }));
 }
 
-/// Starts logging on this rank: rank 0 speaks, the others only warn; `quiet` leaves errors.
+/// Starts logging on this rank: rank 0 logs everything, the others only warnings; with `quiet` only errors are logged.
 pub fn start(rank: usize, quiet: bool) {
     memory::name_rank(rank);
     note_panics(rank);
@@ -117,31 +117,31 @@ pub fn start(rank: usize, quiet: bool) {
         .init();
 }
 
-/// From now on lines also go to `path`, on the rank that `speaks`; the others know where it is. A run that is resumed goes on without
-/// where that cannot be.
-pub fn to_file(path: &Path, resumed: bool, speaks: bool) -> Result<()> {
+/// From now on lines also go to `path`, on the rank that `logs`; the others know where it is. A resumed run continues without
+/// a file that cannot be opened.
+pub fn to_file(path: &Path, resumed: bool, logs: bool) -> Result<()> {
     *LOG_PATH.lock().unwrap_or_else(PoisonError::into_inner) = Some(path.to_path_buf());
-    if !speaks {
+    if !logs {
         return Ok(());
     }
-    // Lines of other ranks stand between those of this one.
+    // Lines of other ranks are between those of this one.
     let opened = File::options().create(true).append(true).open(path);
     let emptied = opened.and_then(|file| if resumed { Ok(file) } else { file.set_len(0).map(|()| file) });
     let mut open = LOG_FILE.lock().unwrap_or_else(PoisonError::into_inner);
-    memory::tell_in(emptied.as_ref().map_or(-1, AsRawFd::as_raw_fd));
+    memory::report_to(emptied.as_ref().map_or(-1, AsRawFd::as_raw_fd));
     match emptied {
         Ok(file) => *open = Some(file),
         Err(error) if resumed => {
             *open = None;
             drop(open);
-            tracing::warn!("{} cannot be gone on with: {error}", path.display());
+            tracing::warn!("{} cannot be continued: {error}", path.display());
         }
         Err(error) => return Err(cannot("write", path, error)),
     }
     Ok(())
 }
 
-/// The terminal that the user looks at: this rank's own, or that of its launcher, which hands output on through a pipe.
+/// The terminal that the user looks at: this rank's own, or that of its launcher, which forwards output through a pipe.
 fn terminal() -> Option<ProgressDrawTarget> {
     if std::io::stderr().is_terminal() {
         return Some(ProgressDrawTarget::stderr());
@@ -157,7 +157,7 @@ fn terminal() -> Option<ProgressDrawTarget> {
 pub struct Progress {
     bar: Option<ProgressBar>,
     spoken: Instant,
-    speaks: bool,
+    logs: bool,
 }
 
 impl Progress {
@@ -173,7 +173,7 @@ impl Progress {
             bar
         });
         *BAR.lock().unwrap() = bar.clone();
-        Self { bar, spoken: Instant::now(), speaks: root }
+        Self { bar, spoken: Instant::now(), logs: root }
     }
 
     /// `done` in 0..1; the message is made only when it is shown.
@@ -181,7 +181,7 @@ impl Progress {
         if let Some(bar) = &self.bar {
             bar.set_position((1000.0 * done.clamp(0.0, 1.0)) as u64);
             bar.set_message(plain(&message()).into_owned());
-        } else if self.speaks && self.spoken.elapsed() > Self::PAUSE {
+        } else if self.logs && self.spoken.elapsed() > Self::PAUSE {
             self.spoken = Instant::now();
             tracing::info!("{:.0} % {}", 100.0 * done.clamp(0.0, 1.0), message());
         }

@@ -1,24 +1,24 @@
-//! Memory that is not to be had ends the job with one line. The program's allocator is the system's but for that; a failed
-//! allocation would otherwise end in an abort, of which MPI prints the stack.
+//! A failed allocation ends the job with one line. The program's allocator is otherwise the system's; without it a failed
+//! allocation would end in an abort, of which MPI prints the stack.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::io::Write;
 use std::sync::atomic::{AtomicBool, AtomicI32, AtomicUsize, Ordering};
 
-/// Exit code of a run that failed on its way.
+/// Exit code of a run that failed while running.
 const FAILED: libc::c_int = 1;
 
 /// Number of this process among the ranks.
 static RANK: AtomicUsize = AtomicUsize::new(0);
 /// Descriptor of the open log, beside the terminal; -1 where none is.
 static LOG: AtomicI32 = AtomicI32::new(-1);
-/// Whether a thread has begun to tell.
-static TOLD: AtomicBool = AtomicBool::new(false);
+/// Whether a thread has begun to report.
+static REPORTED: AtomicBool = AtomicBool::new(false);
 
 /// The system's allocator, whose failure ends the process.
 pub struct Allocator;
 
-// SAFETY: hands everything on to the system's allocator, and returns what that returns.
+// SAFETY: forwards everything to the system's allocator, and returns its result.
 unsafe impl GlobalAlloc for Allocator {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         // SAFETY: as promised by the caller.
@@ -49,22 +49,22 @@ fn given(pointer: *mut u8, bytes: usize) -> *mut u8 {
     pointer
 }
 
-/// The log in which the end is told, too: its descriptor, or -1 where none is open.
-pub fn tell_in(log: i32) {
+/// Sets the log in which the error is reported, too: its descriptor, or -1 where none is open.
+pub fn report_to(log: i32) {
     LOG.store(log, Ordering::Relaxed);
 }
 
-/// As others should call this process.
+/// Sets the number of this process among the ranks.
 pub fn name_rank(rank: usize) {
     RANK.store(rank, Ordering::Relaxed);
 }
 
-/// Tells without allocating; the launcher then ends the other ranks, which cannot be asked for a checkpoint.
+/// Reports without allocating; the launcher then ends the other ranks, which cannot write a checkpoint.
 #[cold]
 fn end(bytes: usize) -> ! {
-    if TOLD.swap(true, Ordering::SeqCst) {
+    if REPORTED.swap(true, Ordering::SeqCst) {
         loop {
-            // SAFETY: waits for the thread that tells, which ends the process.
+            // SAFETY: waits for the thread that reports, which ends the process.
             unsafe { libc::pause() };
         }
     }
@@ -83,6 +83,6 @@ fn end(bytes: usize) -> ! {
         // SAFETY: writes from the line, to a file that is open or none.
         unsafe { libc::write(file, line.as_ptr().cast(), length) };
     }
-    // SAFETY: ends the process, without running anything that may want memory.
+    // SAFETY: ends the process, without running anything that may allocate.
     unsafe { libc::_exit(FAILED) }
 }

@@ -1,5 +1,5 @@
-//! The program as a process among others: its log and signals, the machine's memory and cores, the directory of a run and who
-//! holds it, faults for tests.
+//! The program as a process among others: its log and signals, the machine's memory and cores, the directory of a run and its
+//! lock, faults for tests.
 
 pub mod directory;
 pub mod faults;

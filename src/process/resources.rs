@@ -1,4 +1,4 @@
-//! What the run costs, processor time and memory of this rank, and what the machine has.
+//! Processor time and memory of this rank, and the memory of the machine.
 
 use std::path::Path;
 
@@ -31,7 +31,7 @@ pub fn peak_resident_bytes() -> f64 {
     proc_bytes("self/status", "VmHWM:")
 }
 
-/// Memory that this machine could give to programs, bytes; zero where it does not say.
+/// Memory available to programs on this machine, bytes; zero where it is unknown.
 pub fn available_bytes() -> f64 {
     proc_bytes("meminfo", "MemAvailable:")
 }
@@ -42,11 +42,11 @@ pub fn machine() -> u64 {
     u64::from_le_bytes(std::array::from_fn(|k| blake3::hash(&boot).as_bytes()[k]))
 }
 
-/// Larger arrays go back at once, bytes: with many particles they would be too much to hold.
+/// Larger arrays are returned to the system at once, bytes: with many particles they would be too large to keep.
 #[cfg(target_env = "gnu")]
 const LARGE: libc::c_int = 1 << 22;
 
-/// Keeps freed memory for the arrays that come next, but for the largest ones: pages that come anew from the system at each
+/// Keeps freed memory for later arrays, but for the largest ones: fresh pages from the system at each
 /// list build would cost a tenth of all time.
 pub fn hold_memory() {
     #[cfg(target_env = "gnu")]
@@ -57,7 +57,7 @@ pub fn hold_memory() {
     }
 }
 
-/// Gives what is held and free back to the system, for work that needs arrays of its own.
+/// Returns free memory to the system, for work that needs arrays of its own.
 pub fn give_memory_back() {
     #[cfg(target_env = "gnu")]
     // SAFETY: touches nothing that is in use.

@@ -1,6 +1,6 @@
-//! SIGTERM, SIGINT (Ctrl-C), SIGHUP and SIGUSR1, on any rank, ask for a checkpoint at the end of the step and a clean exit; a second
-//! Ctrl-C is not waited for. Where the launcher of the ranks ends before them, they end at once, as nobody hears them any more. A
-//! file that grows beyond what the shell allows is an error like a full disk, not the end of the process.
+//! SIGTERM, SIGINT (Ctrl-C), SIGHUP and SIGUSR1, on any rank, request a checkpoint at the end of the step and a clean exit; a
+//! second Ctrl-C ends the process at once. Where the launcher of the ranks ends before them, they end at once, too, as their output
+//! is lost. A file that grows beyond the limit of the shell is an error like a full disk, not the end of the process.
 
 use std::fs;
 use std::os::unix::process::parent_id;
@@ -10,9 +10,9 @@ static ASKED: AtomicU32 = AtomicU32::new(0);
 /// When the first signal came, ms; zero before.
 static FIRST: AtomicI64 = AtomicI64::new(0);
 
-/// A Ctrl-C may come twice by two ways; one after this time was meant, ms.
-const MEANT: i64 = 500;
-/// Those that start ranks, by the beginnings of their names.
+/// One Ctrl-C may arrive twice, by two ways; one after this time is a second one, ms.
+const DELIBERATE: i64 = 500;
+/// Programs that start ranks, by the beginnings of their names.
 const LAUNCHERS: [&str; 7] = ["mpirun", "mpiexec", "orterun", "orted", "prterun", "prted", "hydra"];
 
 fn milliseconds() -> i64 {
@@ -22,35 +22,35 @@ fn milliseconds() -> i64 {
     1 + 1000 * now.tv_sec + now.tv_nsec / 1_000_000
 }
 
-extern "C" fn ask(signal: libc::c_int) {
+extern "C" fn request(signal: libc::c_int) {
     let now = milliseconds();
     let first = FIRST.compare_exchange(0, now, Ordering::Relaxed, Ordering::Relaxed);
-    if signal == libc::SIGINT && first.is_err_and(|first| now - first > MEANT) {
+    if signal == libc::SIGINT && first.is_err_and(|first| now - first > DELIBERATE) {
         // SAFETY: ends the process, and may be called in a handler.
         unsafe { libc::_exit(128 + signal) };
     }
     ASKED.store(signal as u32, Ordering::Relaxed);
 }
 
-/// Installs the handlers. What the user has chosen to ignore, as by nohup, stays ignored.
+/// Installs the handlers. Signals that the user has chosen to ignore, as by nohup, stay ignored.
 pub fn listen() {
     for signal in [libc::SIGTERM, libc::SIGUSR1, libc::SIGINT, libc::SIGHUP] {
-        // SAFETY: the handler only touches atomics, asks for the time and ends the process.
+        // SAFETY: the handler only touches atomics, reads the time and ends the process.
         unsafe {
-            if libc::signal(signal, ask as *const () as libc::sighandler_t) == libc::SIG_IGN {
+            if libc::signal(signal, request as *const () as libc::sighandler_t) == libc::SIG_IGN {
                 libc::signal(signal, libc::SIG_IGN);
             }
         }
     }
-    // SAFETY: what is ignored runs nothing.
+    // SAFETY: an ignored signal runs nothing.
     unsafe { libc::signal(libc::SIGXFSZ, libc::SIG_IGN) };
     if let Some(launcher) = launcher(parent_id()) {
         end_with(launcher);
     }
 }
 
-/// The signal that came, or zero.
-pub fn asked() -> u32 {
+/// The signal that was received, or zero.
+pub fn received() -> u32 {
     ASKED.load(Ordering::Relaxed)
 }
 
@@ -68,7 +68,8 @@ pub fn launcher(mut pid: u32) -> Option<u32> {
     None
 }
 
-/// Has this process end as soon as another one does. A thread sleeps until then; where the system cannot tell it, nothing happens.
+/// Ends this process as soon as another one ends. A thread sleeps until then; where the system cannot watch processes, this has no
+/// effect.
 fn end_with(launcher: u32) {
     // SAFETY: opens a descriptor of another process, which is not touched.
     let process = unsafe { libc::syscall(libc::SYS_pidfd_open, launcher as libc::pid_t, 0) } as libc::c_int;
@@ -83,7 +84,7 @@ fn end_with(launcher: u32) {
             libc::_exit(128 + libc::SIGKILL);
         }
     };
-    // Without the thread ranks end too, if a second later, as MPI finds out.
+    // Without the thread ranks end too, a second later, when MPI notices.
     let _ = std::thread::Builder::new().name("launcher".into()).stack_size(1 << 16).spawn(wait);
 }
 
@@ -93,7 +94,7 @@ mod tests {
 
     #[test]
     fn a_launcher_is_found_among_ancestors() {
-        // Of this process there is none but where the tests run under one, and of the first process there is none.
+        // This process has one only where the tests run under one; the first process has none.
         assert_eq!(launcher(1), None);
         let mine = fs::read_to_string("/proc/self/comm").unwrap();
         assert!(LAUNCHERS.iter().all(|name| !mine.starts_with(name)));

@@ -1,12 +1,12 @@
-//! One particle can make the time step collapse, and a run with it. Then the log names the particle, once, and again whenever
-//! the step has fallen much farther; the run goes on. Follows from the steps alone, so that any ranks log the same.
+//! Detects a collapse of the time step, which one particle can cause. Then the log names the particle, once, and again whenever
+//! the step has fallen much farther; the run goes on. This follows from the steps alone, so that the log is the same on any ranks.
 
-/// A step this small against the largest so far has collapsed.
+/// A step below this share of the largest so far has collapsed.
 const COLLAPSED: f64 = 1e-3;
-/// A further fall worth another line.
+/// A further fall by this factor is logged again.
 const FARTHER: f64 = 0.1;
 
-/// The largest step so far, and the last one that was warned of.
+/// The largest step so far, and the last one that was logged.
 #[derive(Debug, Default)]
 pub struct Collapse {
     largest: f64,
@@ -14,7 +14,7 @@ pub struct Collapse {
 }
 
 impl Collapse {
-    /// Takes note of a step's limit, s; where it has collapsed and that is news, how large it is against the largest so far.
+    /// Records a step's limit, s; where a collapse is to be logged, returns its ratio to the largest so far.
     pub fn note(&mut self, dt: f64) -> Option<f64> {
         self.largest = self.largest.max(dt);
         let least = self.warned.map_or(COLLAPSED * self.largest, |warned| FARTHER * warned);
@@ -31,14 +31,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_collapse_is_told_once_and_again_when_it_gets_much_worse() {
+    fn a_collapse_is_noted_once_and_again_when_it_gets_much_worse() {
         let mut collapse = Collapse::default();
-        let told = |collapse: &mut Collapse, dt: f64| collapse.note(dt).is_some();
-        // A shock shortens steps, and that is no collapse.
-        assert!([1.0, 2.0, 0.1, 0.01, 0.0021].iter().all(|&dt| !told(&mut collapse, dt)));
+        let noted = |collapse: &mut Collapse, dt: f64| collapse.note(dt).is_some();
+        // A shock shortens steps, which is not a collapse.
+        assert!([1.0, 2.0, 0.1, 0.01, 0.0021].iter().all(|&dt| !noted(&mut collapse, dt)));
         assert_eq!(collapse.note(1e-3), Some(5e-4));
-        assert!([1e-3, 9e-4, 1.0, 5e-4, 2e-4].iter().all(|&dt| !told(&mut collapse, dt)));
-        assert!(told(&mut collapse, 9e-5));
-        assert!(!told(&mut collapse, 8e-5));
+        assert!([1e-3, 9e-4, 1.0, 5e-4, 2e-4].iter().all(|&dt| !noted(&mut collapse, dt)));
+        assert!(noted(&mut collapse, 9e-5));
+        assert!(!noted(&mut collapse, 8e-5));
     }
 }

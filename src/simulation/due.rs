@@ -2,7 +2,7 @@
 //! the last step before it is shortened. Everything follows from the time, the step and the last snapshot, which checkpoints
 //! hold, so that any ranks and any restarts make the same steps.
 
-/// Share of the time between snapshots by which a time may miss a due one: rounding makes less, and no step more.
+/// Share of the time between snapshots by which a time may miss a due one: rounding causes less, and no step is that short.
 const CLOSE: f64 = 1e-9;
 
 /// The due times of one run: 0, `every`, 2 `every`, ..., s.
@@ -12,8 +12,8 @@ pub struct Due {
 }
 
 impl Due {
-    /// The first due time after the `last` snapshot that is not over at `time`. What was missed, as where a run goes on with other
-    /// due times than it began with, is not made up for.
+    /// The first due time after the `last` snapshot that is not over at `time`. Missed snapshots, as in a run resumed with other
+    /// due times than it began with, are not made up for.
     pub fn next(self, last: Option<f64>, time: f64) -> f64 {
         let unseen = last.map_or(0.0, |last| (last / self.every + CLOSE).floor() + 1.0);
         unseen.max((time / self.every - CLOSE).ceil()) * self.every

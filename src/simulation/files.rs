@@ -1,4 +1,4 @@
-//! What a run writes on its way: rows of its history, outcomes, snapshots, checkpoints.
+//! Files written during a run: rows of its history, outcomes, snapshots, checkpoints.
 
 use std::time::Instant;
 
@@ -22,13 +22,13 @@ impl<const D: usize> Run<'_, D> {
         let mut cells = report::history_row(&self.stepper.state, &self.totals, &self.limit, held, D == 2);
         cells.extend(probes::row(self.scene, &self.stepper, self.comm).into_iter().map(Cell::Real));
         tracing::debug!("{}", self.describe());
-        // Rank 0 writes; where it fails, all ranks hear of it with the next step.
+        // Rank 0 writes; where it fails, all ranks learn of it with the next step.
         if let Err(error) = self.history.row(&cells) {
             self.failed.get_or_insert(error);
         }
     }
 
-    /// This rank's, as outcomes see them.
+    /// This rank's particles, as outcomes use them.
     pub(super) fn particles(&self) -> Vec<Particle> {
         let (columns, settings) = (&self.stepper.columns, &self.stepper.settings);
         let materials = self.scene.bodies.iter().map(|body| &self.scene.materials[body.material]);
@@ -55,15 +55,15 @@ impl<const D: usize> Run<'_, D> {
         Question { dimension: D, target_mass, bodies, others }
     }
 
-    /// Looks whether density is mass over volume, unless nothing has moved since the last look. Collective.
+    /// Checks whether density is mass over volume, unless no particle has moved since the last check. Collective.
     pub(super) fn note_packing(&mut self) {
         let now = self.stepper.packing();
-        if now.iter().any(|body| body.told() > 0) {
+        if now.iter().any(|body| body.judged() > 0) {
             self.packing = now;
         }
     }
 
-    /// When snapshots are due, where the scene wants them on the way.
+    /// When snapshots are due, where the scene requests them during the run.
     pub(super) fn due(&self) -> Option<Due> {
         match self.scene.output.snapshots {
             Snapshots::Every(every) => Some(Due { every }),
@@ -71,7 +71,7 @@ impl<const D: usize> Run<'_, D> {
         }
     }
 
-    /// One on the way; that of the end comes after what is worth more. Collective.
+    /// Writes a snapshot during the run; the last one is written at the end, after more important files. Collective.
     pub(super) fn write_snapshot_if_due(&mut self) -> Result<()> {
         let time = self.stepper.state.time;
         let is_due = |due: Due| due.same(due.next(self.state.snapshot_time, time), time);
@@ -131,7 +131,7 @@ impl<const D: usize> Run<'_, D> {
         Ok(())
     }
 
-    /// What the run has cost so far, over all ranks. Collective.
+    /// The cost of the run so far, over all ranks. Collective.
     pub(super) fn spent(&self) -> Spent {
         let before = &self.state.spent;
         let counters = &self.stepper.counters;

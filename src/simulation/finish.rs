@@ -1,5 +1,5 @@
-//! The end of a run. What would be worst to lose comes first: the checkpoint, then summary.json. The last snapshot, tables and
-//! pictures follow, all of them, whatever becomes of the others; a picture that fails is worth a warning, a table an error.
+//! The end of a run. The most important files are written first: the checkpoint, then summary.json. The last snapshot, tables and
+//! pictures follow, even where one of them fails; a picture that fails is a warning, a table an error.
 
 use std::path::Path;
 
@@ -19,7 +19,7 @@ use crate::output::{Summary, agree, snapshot};
 use crate::scene::Snapshots;
 
 impl<const D: usize> Run<'_, D> {
-    /// The outcome that counts, with its files, unless they are to wait as the run is over. Collective.
+    /// Evaluates the outcome that counts, and writes its files, unless they must wait as the run is over. Collective.
     pub(super) fn take_outcome(&mut self) -> Result<()> {
         self.state.outcome_time = self.stepper.state.time;
         if !self.scene.hits_ground() {
@@ -85,10 +85,10 @@ impl<const D: usize> Run<'_, D> {
         comparison.finish(&self.stepper, &noted, directory, self.comm)
     }
 
-    /// Evaluates what there is to evaluate, and writes it. Where a run is resumed at its very end, the same files come again.
+    /// Evaluates and writes all results. Where a run is resumed at its very end, the same files are written again.
     /// Collective.
     pub(super) fn finish(mut self) -> Result<RunReport> {
-        // A run may come back from its last checkpoint for what was not written any more.
+        // A run may be resumed from its last checkpoint for files that could not be written.
         let again = self.state.end.clone();
         if again.is_none() && self.stepper.state.step % self.scene.output.history_every != 0 {
             self.note_totals()?;
@@ -113,14 +113,14 @@ impl<const D: usize> Run<'_, D> {
         };
         let snapshot = self.scene.output.snapshots != Snapshots::Never
             && self.state.snapshot_time != Some(self.stepper.state.time);
-        // After a checkpoint that failed, room for a snapshot is not to be had, nor an HDF5 that can be relied on.
+        // After a failed checkpoint there is no room for a snapshot, nor can HDF5 be relied on.
         let there = again && !self.lacks(&[&snapshot::name(self.state.snapshots + 1)]);
         let snapshot = snapshot && saved.is_ok() && !there;
         let summary = self.summary(errors.clone().unwrap_or_default(), nbody);
         let path = self.options.directory.join("summary.json");
-        let told = saved.and(errors.and_then(|_| summary.write(&path, self.comm)));
+        let reported = saved.and(errors.and_then(|_| summary.write(&path, self.comm)));
         let failed = agree(self.comm, self.failed.take().map_or(Ok(()), Err));
-        let safe = told.is_ok();
+        let safe = reported.is_ok();
         let shown = if snapshot { self.write_snapshot() } else { Ok(()) };
         let written = self.write_products();
         if self.scene.output.picture && self.comparison.is_some() {
@@ -129,17 +129,17 @@ impl<const D: usize> Run<'_, D> {
                 or_warn(drawn);
             }
         }
-        let said = warnings::of_scene(self.scene).len();
+        let printed = warnings::of_scene(self.scene).len();
         let crater = self.state.crater.as_ref();
-        summary::print(&summary, crater, said, &self.options.directory, self.comm.is_root());
-        told.and(failed).and(shown).and(written).map_err(|error| match safe {
+        summary::print(&summary, crater, printed, &self.options.directory, self.comm.is_root());
+        reported.and(failed).and(shown).and(written).map_err(|error| match safe {
             true => Error { what: error.what + "; the last checkpoint and summary.json are written", ..error },
             false => error,
         })?;
         Ok(self.report_of(Ended::Finished, summary))
     }
 
-    /// What a run found that is to end here. Collective.
+    /// The results of a run that ends here. Collective.
     pub(super) fn report(self, ended: Ended) -> RunReport {
         let summary = self.summary(Figures::default(), None);
         self.report_of(ended, summary)

@@ -1,5 +1,5 @@
-//! What a rank will hold in memory, known before anything is allocated: sizes per particle are exact, the numbers of
-//! neighbours are those of even balls, and the numbers of ghosts those of an even cube.
+//! The memory of a rank, estimated before anything is allocated: sizes per particle are exact, the numbers of
+//! neighbours are those of uniform balls, and the numbers of ghosts those of a uniform cube.
 
 use super::setup::Plan;
 use crate::domain::comm::Comm;
@@ -19,11 +19,11 @@ use crate::scene::Scene;
 const LOOSE: usize = size_of::<outcome::Particle>() + 4 * size_of::<outcome::Piece>() + ATTRACTED;
 
 /// Bytes of a particle while its gravity is found: itself in messages and in order, its place in the tree, its share of nodes, and
-/// what comes back.
+/// the fields returned.
 const ATTRACTED: usize = 8 * size_of::<Body>() + size_of::<Node>() / 4 + 4 * size_of::<Field>();
 
-/// Bytes that libraries take on a rank once files and messages are used, over what they took at the start: about this much
-/// with OpenMPI and HDF5, as runs of few particles show.
+/// Bytes that libraries take on a rank once files and messages are used, over their memory at the start: about this much
+/// with OpenMPI and HDF5, measured in runs of few particles.
 const LIBRARIES: f64 = 1e7;
 
 /// Memory of one of equally loaded ranks.
@@ -44,7 +44,7 @@ pub struct Footprint {
     pub neighbours: f64,
     /// Entries of a particle's row in the list: rows end anywhere in their last group of lanes.
     pub row: f64,
-    /// What, and its bytes on a rank.
+    /// Name of each part, and its bytes on a rank.
     pub parts: [(&'static str, f64); 8],
     /// Numbers that a ghost record sends.
     pub layout: Layout,
@@ -68,7 +68,7 @@ impl Footprint {
         let (site, slot) = (if dimension == 2 { size_of::<Site<2>>() } else { size_of::<Site<3>>() }, size_of::<u32>());
         // Position, squared radius, whether it is a ghost, and its slot.
         let local = place + 8 * dimension + 8 + 1 + slot;
-        // Records and lists make room for the outcome, which needs more than that or nothing.
+        // Records and lists are released for the outcome, which needs more than that or nothing.
         let records = (owned + ghosts) * 8.0 * layout.stride() as f64;
         let list = owned * (4.0 * row + 8.0 + 4.0);
         let search = (owned + ghosts) * local as f64 + owned * site as f64;
@@ -97,13 +97,13 @@ impl Footprint {
         8.0 * self.ghosts * self.layout.words() as f64
     }
 
-    /// Refuses what does not fit: the ranks of a machine share its memory. The same answer on all ranks. Collective.
+    /// An error where a run does not fit: the ranks of a machine share its memory. The same result on all ranks. Collective.
     pub fn require(&self, comm: &Comm) -> Result<()> {
         let mine = [resources::machine(), resources::available_bytes() as u64];
         let all = comm.all_gather(&mine);
         let fits = |machine: &[u64]| {
             let ranks = all.chunks_exact(2).filter(|other| other[0] == machine[0]).count();
-            // A machine that does not say what it has is given the benefit of the doubt.
+            // A machine whose memory is unknown is assumed to have enough.
             (machine[1] == 0 || ranks as f64 * self.per_rank() <= machine[1] as f64, ranks, machine[1])
         };
         match all.chunks_exact(2).map(fits).find(|(fits, ..)| !fits) {
@@ -141,7 +141,7 @@ fn neighbours(particles: u64, reach: f64, dimension: usize) -> f64 {
     around.clamp(1.0, particles as f64) - 1.0
 }
 
-/// Into how many parts each side of a cube is cut for so many ranks: across the longest side, over and over.
+/// Number of parts into which each side of a cube is cut for so many ranks: repeatedly across the longest side.
 fn cuts(ranks: usize, dimension: usize) -> Vec<f64> {
     let mut cuts = vec![1.0f64; dimension];
     let mut parts = ranks as f64;
@@ -207,7 +207,7 @@ mod tests {
             let counted: usize =
                 sites.iter().map(|s| near.iter().filter(|d| inside(s.0 + d.0, s.1 + d.1, s.2 + d.2)).count() - 1).sum();
             let mean = counted as f64 / sites.len() as f64;
-            // The lattice itself has 80 neighbours within the reach where an even medium has 76, and 20 where it has 21.
+            // The lattice itself has 80 neighbours within the reach where a uniform medium has 76, and 20 where it has 21.
             let expected = neighbours(sites.len() as u64, reach, dimension);
             assert!((expected / mean - 1.0).abs() < 0.07, "{expected} {mean}");
             // 16 % are missing in the ball, and 4 % in the disc.

@@ -1,4 +1,4 @@
-//! What a run does about an impact onto ground: asks for the crater, makes its tables and figures.
+//! Output of an impact onto ground: evaluates the crater, makes its tables and figures.
 
 use std::path::Path;
 
@@ -41,7 +41,7 @@ fn question(scene: &Scene) -> Option<Question> {
         up: face.up,
         target: scene.at_impact()?,
         projectile: impact.projectile,
-        ejection_speed: scene.outcome.map(|asked| asked.ejection_speed),
+        ejection_speed: scene.outcome.map(|outcome| outcome.ejection_speed),
         extent,
     })
 }
@@ -84,7 +84,7 @@ impl Drawer<'_> {
         Figure { title: self.title.into(), x, y, series }
     }
 
-    /// Volume where there is one that was compacted to compare it with, else mass.
+    /// Draws volume where there is a compacted volume to compare it with, else mass.
     fn draw_ejecta(&self, evaluation: &CraterEvaluation) -> Result<()> {
         let rows = &evaluation.ejecta.rows;
         let compaction = evaluation.crater.compaction;

@@ -1,4 +1,4 @@
-//! The late stage of a run: when it begins and what the switch did; and the end that gravity brings.
+//! The late stage of a run: when it begins and the effects of the switch; and the end of reaccumulation.
 
 use super::run::Run;
 use super::scales::free_fall_time;
@@ -50,18 +50,19 @@ impl<const D: usize> Run<'_, D> {
         Ok(())
     }
 
-    /// Looks at the largest remnant where that is due; takes the outcome once it stays as it is. Collective.
+    /// Evaluates the largest remnant where that is due; takes the outcome once it has stopped changing. Collective.
     pub(super) fn watch_remnant(&mut self) -> Result<()> {
         let time = self.stepper.state.time;
-        if self.state.has_outcome() || self.state.reaccumulated.as_ref().is_some_and(|looks| !looks.is_due(time)) {
+        if self.state.has_outcome() || self.state.reaccumulated.as_ref().is_some_and(|remnants| !remnants.is_due(time))
+        {
             return Ok(());
         }
         let evaluation = self.evaluate_outcome();
         let remnant = Remnant::of(&evaluation, self.comm);
         let window = free_fall_time(self.scene);
         let total = evaluation.outcome.total_mass;
-        let looks = self.state.reaccumulated.get_or_insert_with(|| Reaccumulated::new(window, total));
-        let is_over = looks.note(time, remnant);
+        let remnants = self.state.reaccumulated.get_or_insert_with(|| Reaccumulated::new(window, total));
+        let is_over = remnants.note(time, remnant);
         tracing::debug!(
             "largest remnant {:.4} of all mass, inner motion {:.2e} of its binding",
             remnant.mass / total,

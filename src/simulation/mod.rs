@@ -1,4 +1,4 @@
-//! One run of a scene, from its particles to its outcome and its price.
+//! One run of a scene, from its particles to its outcome and its cost.
 
 mod collapse;
 mod due;

@@ -1,4 +1,4 @@
-//! Hands what an impact has left on to an N-body program.
+//! Writes the outcome of an impact for an N-body program.
 
 use super::run::Run;
 use super::scales::free_fall_time;
@@ -10,12 +10,13 @@ use crate::output::summary::Figures;
 const STEP: f64 = 1e-3;
 
 impl<const D: usize> Run<'_, D> {
-    /// Makes `nbody.csv` and `nbody.bin` where the scene asks for them; what they hold and leave out, in figures. Collective.
+    /// Makes `nbody.csv` and `nbody.bin` where the scene requests them; returns the numbers of bodies and of pieces left out.
+    /// Collective.
     pub(super) fn nbody(&mut self) -> Option<Figures> {
-        let asked = self.scene.nbody?;
+        let settings = self.scene.nbody?;
         self.stepper.release_buffers();
         let particles = self.particles();
-        let choice = Choice { smallest: asked.smallest, most: asked.most };
+        let choice = Choice { smallest: settings.smallest, most: settings.most };
         let (bodies, left_out) = spheres(self.comm, &particles, &choice);
         let step = STEP * free_fall_time(self.scene);
         let binary = archive(self.stepper.state.time, step, &bodies);

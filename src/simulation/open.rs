@@ -1,4 +1,4 @@
-//! The beginning of a run: particles are made, or come from the newest whole checkpoint.
+//! The beginning of a run: particles are made, or read from the newest whole checkpoint.
 
 use std::time::Instant;
 
@@ -30,11 +30,11 @@ impl<'a, const D: usize> Run<'a, D> {
         if let Some(choice) = &options.accuracy {
             tracing::info!("{choice}");
         }
-        warning::say(&warnings::of_scene(scene), comm.is_root());
+        warning::log(&warnings::of_scene(scene), comm.is_root());
         let comparison = Comparison::new(scene)?;
         let fit =
             |plan: &setup::Plan| Footprint::new(scene, plan, comm.size()).require(comm).map_err(|e| e.at(scene.path()));
-        // What does not fit by far is not worth being counted.
+        // Where a run cannot fit by far, its particles need not be counted.
         if let Some(expected) = setup::expected_particles(scene) {
             fit(&setup::plan(scene, expected)?)?;
         }
@@ -51,7 +51,7 @@ impl<'a, const D: usize> Run<'a, D> {
                 if let Some(refused) = saved.refused.as_ref().filter(|_| comm.is_root()) {
                     tracing::warn!("the newest checkpoint was not taken: {refused}");
                 }
-                tracing::info!("going on from {}", saved.path.display());
+                tracing::info!("resuming from {}", saved.path.display());
                 let mut settings = plan.settings(scene);
                 settings.effects.extend(fault.effect(&settings.view.core));
                 let restored: Restored = serde_json::from_str(&saved.meta.json)

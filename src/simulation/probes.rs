@@ -1,5 +1,5 @@
-//! Probes: what a part of a body is like on the whole, in history.csv. A particle belongs to a probe by where it started,
-//! which its lattice site tells; so a probe costs nothing but the sums for a row.
+//! Probes: averages over a part of a body, in history.csv. A particle belongs to a probe by its initial position,
+//! which follows from its lattice site; so a probe costs nothing but the sums for a row.
 //!
 //! ```text
 //! pressure      sum V_i P_i / sum V_i                V_i = m_i / rho_i

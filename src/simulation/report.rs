@@ -1,4 +1,4 @@
-//! What a run says about itself: rows of history.csv, distributions, the picture, and the summary with its price.
+//! Reports of a run: rows of history.csv, distributions, the picture, and the summary with its cost.
 
 use std::path::Path;
 
@@ -89,7 +89,7 @@ pub fn history_row(
     cells
 }
 
-/// What a picture is made from.
+/// The input of a picture.
 pub struct PictureSource<'a, 'c, const D: usize> {
     pub scene: &'a Scene,
     pub stepper: &'a Stepper<'c, D>,
@@ -102,35 +102,35 @@ pub fn draw_cut<const D: usize>(source: &PictureSource<D>, comm: &Comm) -> Resul
     let scene = source.scene;
     let target = scene.impact.as_ref().map_or(0, |impact| impact.target);
     let (face, origin) = (scene.face(), Vec3::from(scene.bodies[target].centre));
-    // The projectile comes down in the plane of x and the face's normal; onto a sphere it flies in that of x and y.
+    // The projectile comes down in the plane of x and the face's normal; onto a sphere it moves in that of x and y.
     let up = face.map_or(1, |face| face.up);
     let plane = Plane { origin, across: Vec3::x(), up: Vec3::ith(up, 1.0) };
     let picture = Picture {
         title: format!("{} (t = {:.4} s)", scene.title, source.time),
         plane,
-        ejected: scene.outcome.map(|asked| (up, asked.ejection_speed)),
+        ejected: scene.outcome.map(|outcome| (up, outcome.ejection_speed)),
         distention: scene.bodies.iter().fold(1.0, |most: f64, body| most.max(body.distention)),
     };
     let (columns, bodies) = (&source.stepper.columns, &source.stepper.settings.view.constants);
     cut::draw(&source.directory.join("outcome.png"), &picture, columns, bodies, comm)
 }
 
-/// Whether angular momentum is conserved: not where walls hold something, space closes on itself or has a below.
+/// Whether angular momentum is conserved: not with walls, periodic axes or uniform gravity.
 pub fn turns_freely<const D: usize>(scene: &Scene, stepper: &Stepper<D>) -> bool {
     stepper.settings.motions.is_none() && !scene.periods.any() && scene.gravity.uniform.is_none()
 }
 
-/// What a summary is made from.
+/// The input of a summary.
 pub struct Report<'a, 'c, const D: usize> {
     pub scene: &'a Scene,
     pub stepper: &'a Stepper<'c, D>,
     pub state: &'a RunState,
     pub totals: &'a Totals,
     pub later: Option<&'a Outcome>,
-    /// Of each body, when it was last looked at.
+    /// Packing of each body at the last check.
     pub packing: &'a [Packing],
     pub spent: Spent,
-    /// Against the exact solution that the scene names.
+    /// Errors against the exact solution that the scene names.
     pub errors: Figures,
     pub nbody: Option<Figures>,
     pub resident_at_start: f64,

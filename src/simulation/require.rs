@@ -1,5 +1,5 @@
-//! What can be seen to be wrong with a scene before any particle exists, beyond what reading it shows: whatever is to run or to be
-//! checked passes here first, so that both say the same.
+//! Errors of a scene that can be found before any particle exists, beyond those of reading it. Runs and `--check` both pass
+//! here first, so that they report the same.
 
 use crate::comparison::Comparison;
 use crate::comparison::modes;
@@ -12,7 +12,7 @@ pub fn require(scene: &Scene) -> Result<()> {
         let at =
             |key: &str, e: Error| Error { allowed: e.allowed, ..scene.error(&format!("body.{number}.{key}"), e.what) };
         if let Some(Flow::Mode { shape, .. }) = body.flow {
-            swings(scene, body)
+            vibrates(scene, body)
                 .and_then(|()| modes::ModeShape::new(scene, body, shape))
                 .map_err(|e| at("flow.mode", e))?;
         }
@@ -26,7 +26,7 @@ pub fn require(scene: &Scene) -> Result<()> {
 }
 
 /// Matter without shear has no free vibration.
-fn swings(scene: &Scene, body: &Body) -> Result<()> {
+fn vibrates(scene: &Scene, body: &Body) -> Result<()> {
     if scene.materials[body.material].has_strength() {
         return Ok(());
     }
@@ -42,7 +42,7 @@ mod tests {
     const BALL: &str = "[[body]]\nname = \"b\"\nshape = { sphere = { radius = 1 } }\nmaterial = \"basalt\"\nparticles = 100\n\
         [run]\nuntil = 1\n";
 
-    fn said(text: &str, overrides: &[&str]) -> String {
+    fn checked(text: &str, overrides: &[&str]) -> String {
         let overrides: Vec<String> = overrides.iter().map(|text| text.to_string()).collect();
         let scene = Scene::parse("s.toml", text, &overrides).unwrap_or_else(|e| panic!("{e}"));
         require(&scene).map_or_else(|e| format!("{} {e}", e.bad_input), |()| String::new())
@@ -50,18 +50,18 @@ mod tests {
 
     #[test]
     fn what_no_run_can_begin_with() {
-        assert_eq!(said(BALL, &[]), "");
-        let swings =
+        assert_eq!(checked(BALL, &[]), "");
+        let vibrates =
             BALL.replace("particles = 100", "particles = 100\nflow = { mode = { shape = \"radial\", speed = 1 } }");
-        assert_eq!(said(&format!("{swings}[material.basalt.strength]\n"), &[]), "");
-        let text = said(&swings, &[]);
+        assert_eq!(checked(&format!("{vibrates}[material.basalt.strength]\n"), &[]), "");
+        let text = checked(&vibrates, &[]);
         assert!(text.starts_with("true s.toml:6: body b, flow.mode: material `basalt` has no strength"), "{text}");
         let bends = "b.flow={ mode = { shape = \"bending\", speed = 1 } }";
-        let text = said(&format!("{BALL}[material.basalt.strength]\n"), &[bends]);
+        let text = checked(&format!("{BALL}[material.basalt.strength]\n"), &[bends]);
         assert!(text.starts_with("true --set b.flow") && text.contains("no such mode"), "{text}");
-        let text = said(BALL, &["b.start=hydrostatic", "gravity.self=true", "b.radius=1e9"]);
+        let text = checked(BALL, &["b.start=hydrostatic", "gravity.self=true", "b.radius=1e9"]);
         assert!(text.starts_with("true --set b.start=hydrostatic: no density"), "{text}");
-        let text = said(&format!("{BALL}[compare]\nwith = \"rotation\"\n"), &[]);
+        let text = checked(&format!("{BALL}[compare]\nwith = \"rotation\"\n"), &[]);
         assert!(text.starts_with("true s.toml:9: compare.with: ") && text.contains("a body with a spin"), "{text}");
     }
 }

@@ -1,4 +1,4 @@
-//! What becomes of a run that is resumed when its scene asks for another end than before: it goes on, or says that it has ended.
+//! A run that is resumed when its scene requests another end than before: it goes on, or reports that it has ended.
 
 use super::run::{Ended, Run, RunReport};
 use super::scales::{binding, crossing, first_contact, free_fall_time};
@@ -8,10 +8,10 @@ use crate::output::publish::cannot;
 use crate::output::{Summary, on_root, snapshot};
 use crate::scene::{Scene, Snapshots, Until};
 
-/// The summary of a run up to an end that was moved later since.
+/// The summary of a run up to an earlier end, which has been moved since.
 const PREVIOUS_SUMMARY: &str = "summary_previous.json";
 
-/// Watches whether an impact has settled, where the scene wants to know. `kinetic`: initial kinetic energy in the
+/// Detects when an impact has settled, where the scene requests it. `kinetic`: initial kinetic energy in the
 /// centre-of-mass frame, J.
 pub fn settling(scene: &Scene, kinetic: f64) -> Option<Settled> {
     let settles = scene.run.until == Until::Settled || scene.late_stage.is_some_and(|l| l.at == Until::Settled);
@@ -23,20 +23,20 @@ pub fn settling(scene: &Scene, kinetic: f64) -> Option<Settled> {
 }
 
 impl<const D: usize> Run<'_, D> {
-    /// Before the first step after a restart: what the run found where it had ended, if that is still its end and all of it is
-    /// on disk. Otherwise none, and the run goes on. Collective.
+    /// Before the first step after a restart: the results of the run if it had ended, that is still its end and all of them are
+    /// on disk. Otherwise `None`, and the run goes on. Collective.
     pub(super) fn take_up(&mut self) -> Result<Option<RunReport>> {
         if self.state.settled.is_none() {
             self.state.settled = settling(self.scene, self.state.conservation.energy_scale);
         }
         let Some(end) = self.state.end.clone() else {
-            // That of an impact which ends at a given time is the one of its end.
+            // The outcome of an impact that ends at a given time is that of its end.
             if matches!(self.scene.run.until, Until::Time(_)) {
                 (self.state.outcome, self.state.crater) = (None, None);
             }
             return Ok(None);
         };
-        // Found at an end that may be none any more.
+        // Found at an end that may have been moved.
         let is_of_end = end.has_outcome || matches!(self.scene.run.until, Until::Time(_));
         let found = (self.state.outcome.clone(), self.state.crater.clone());
         if is_of_end {
@@ -59,12 +59,12 @@ impl<const D: usize> Run<'_, D> {
         Ok(Some(RunReport { ended: Ended::Finished, summary, outcome: self.state.outcome.clone(), later: end.later }))
     }
 
-    /// Whether what comes after the last checkpoint is there: a disk may have been full. Collective.
+    /// Whether the files written after the last checkpoint exist: a disk may have been full. Collective.
     fn has_its_files(&self) -> bool {
         let scene = self.scene;
         // Written after the checkpoint, which does not count it.
         let last = snapshot::name(self.state.snapshots + 1);
-        let wanted: [(&str, bool); 4] = [
+        let files: [(&str, bool); 4] = [
             ("outcome.png", scene.output.picture),
             ("fragments.csv", scene.impact.is_some() && !scene.hits_ground()),
             ("nbody.csv", scene.nbody.is_some()),
@@ -73,8 +73,8 @@ impl<const D: usize> Run<'_, D> {
                 scene.output.snapshots != Snapshots::Never && self.state.snapshot_time != Some(self.stepper.state.time),
             ),
         ];
-        let wanted: Vec<&str> = wanted.into_iter().filter(|(_, wanted)| *wanted).map(|(name, _)| name).collect();
-        !self.lacks(&wanted)
+        let required: Vec<&str> = files.into_iter().filter(|(_, required)| *required).map(|(name, _)| name).collect();
+        !self.lacks(&required)
     }
 
     /// Whether the directory lacks one of these files. Collective.
@@ -85,7 +85,7 @@ impl<const D: usize> Run<'_, D> {
         lacking[0] > 0
     }
 
-    /// The end has been moved later. Collective.
+    /// Continues a run whose end has been moved to a later time. Collective.
     fn go_beyond(&mut self) -> Result<()> {
         let (from, to) = ("summary.json", PREVIOUS_SUMMARY);
         let path = self.options.directory.join(from);

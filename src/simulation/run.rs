@@ -1,4 +1,4 @@
-//! A run: what it was asked for, what it holds while it goes on, and what it gives back.
+//! A run: its options, its state while it goes on, and its results.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -19,27 +19,27 @@ use crate::step::packing::Packing;
 use crate::step::time_step::NamedLimit;
 use crate::step::{Stepper, Totals};
 
-/// How a run is to be done; the scene says what.
+/// Options of a run beside its scene.
 #[derive(Debug, Clone)]
 pub struct Options {
     pub directory: PathBuf,
-    /// Go on from the newest whole checkpoint, where there is one.
+    /// Resume from the newest whole checkpoint, where there is one.
     pub resume: bool,
     /// Resident bytes of the process before anything was made.
     pub resident_at_start: f64,
-    /// The choice by which the scene got its settings, for the summary; and how the log says it.
+    /// The choice by which the scene got its settings, for the summary; and its description in the log.
     pub accuracy: Option<Accuracy>,
 }
 
-/// Why a run came back.
+/// How a run ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Ended {
     Finished,
-    /// A signal asked for it; the checkpoint is whole.
+    /// By a signal; the checkpoint is whole.
     Interrupted,
 }
 
-/// What a run found.
+/// The results of a run.
 #[derive(Debug, Clone)]
 pub struct RunReport {
     pub ended: Ended,
@@ -65,32 +65,32 @@ pub(super) struct Run<'a, const D: usize> {
     pub(super) saved: Instant,
     pub(super) fault: Fault,
     pub(super) comparison: Option<Comparison>,
-    /// Whether density is mass over volume, at the last look.
+    /// Whether density is mass over volume, at the last check.
     pub(super) packing: Vec<Packing>,
-    /// What failed on this rank alone.
+    /// An error of this rank alone.
     pub(super) failed: Option<Error>,
-    /// What is to be written of an outcome.
+    /// Files of an outcome to be written.
     pub(super) products: Products,
     /// The step at which the run is to stop before its end.
     pub(super) last: Option<u64>,
     pub(super) collapse: Collapse,
-    /// What limits the time step.
+    /// The tightest limit of the time step, and its name.
     pub(super) limit: NamedLimit,
 }
 
-/// What is still to be written of an outcome.
+/// Files of an outcome that are still to be written.
 #[derive(Default)]
 pub(super) struct Products {
     /// Names and contents of files; contents are rank 0's.
     pub tables: Vec<(&'static str, Vec<u8>)>,
-    /// To be drawn.
+    /// Crater to be drawn.
     pub crater: Option<CraterEvaluation>,
     /// Whether the cut is to be drawn.
     pub cut: bool,
 }
 
 impl Products {
-    /// All files that can be written; the first error. For one rank.
+    /// Writes all tables that can be written; returns the first error. For one rank.
     pub fn write_tables(&self, directory: &Path) -> Result<()> {
         let write = |(name, bytes): &(&str, Vec<u8>)| replace(&directory.join(name), bytes);
         self.tables.iter().map(write).fold(Ok(()), Result::and)

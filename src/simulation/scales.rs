@@ -4,7 +4,7 @@ use crate::gravity::G;
 use crate::math::Vec3;
 use crate::scene::{Body, Scene};
 
-/// When the bodies of an impact would touch if they flew on as they start, s; zero where they touch already.
+/// When the bodies of an impact would touch at constant velocities, s; zero where they touch already.
 pub fn first_contact(scene: &Scene) -> f64 {
     let Some(impact) = &scene.impact else { return 0.0 };
     let (target, projectile) = (&scene.bodies[impact.target], &scene.bodies[impact.projectile]);
@@ -37,7 +37,7 @@ pub fn sound_speed(scene: &Scene, body: usize) -> f64 {
     (bulk * bulk + 4.0 / 3.0 * shear / density).sqrt()
 }
 
-/// Time in which a ball of this density (kg/m^3) at rest, that nothing holds, falls into its centre, s.
+/// Time in which a ball of this density (kg/m^3) at rest and without support falls into its centre, s.
 pub fn free_fall_time_of(density: f64) -> f64 {
     (3.0 * std::f64::consts::PI / (32.0 * G * density)).sqrt()
 }
@@ -46,7 +46,7 @@ fn target(scene: &Scene) -> &Body {
     &scene.bodies[scene.impact.as_ref().map_or(0, |impact| impact.target)]
 }
 
-/// Of the target, s.
+/// Free-fall time of the target, s.
 pub fn free_fall_time(scene: &Scene) -> f64 {
     free_fall_time_of(target(scene).density)
 }

@@ -23,7 +23,7 @@ use crate::step::StepSettings;
 use crate::step::integrator::{Integrator, PredictorCorrector, RungeKutta};
 use crate::step::pack::{Moments, Packer};
 
-/// What a scene needs, before any particle exists.
+/// Effects, columns and settings of a scene, before any particle exists.
 pub struct Plan {
     pub registry: Registry,
     pub view: ParticleView,
@@ -35,11 +35,11 @@ pub struct Plan {
     pub gravity: Option<Attraction>,
 }
 
-/// Particles from which on what a body's volume says is as good as a count.
+/// Number of particles from which on a body's volume gives their number as well as a count.
 const MANY: f64 = 1e7;
 
-/// The same without a look at any lattice site, where there are many particles; none where they are few. Rows that end at a surface
-/// make a difference of less than a spacing over the body's size.
+/// Numbers of particles by volume, without counting lattice sites, where there are many; `None` where they are few. Rows that end
+/// at a surface make a difference of less than a spacing over the body's size.
 pub fn expected_particles(scene: &Scene) -> Option<Vec<BodyConstants>> {
     let expected = |body: &Body| body.expected_particles().round().max(1.0);
     if scene.bodies.iter().map(expected).sum::<f64>() < MANY {
@@ -65,21 +65,21 @@ pub fn count_particles(scene: &Scene, comm: &Comm) -> Result<Vec<BodyConstants>>
     constants.collect()
 }
 
-/// Declares an effect that is no part of the program, see [`plan_with`].
+/// Declares an effect from outside the program, see [`plan_with`].
 pub type Declare<'a> = &'a dyn Fn(&Setup, &mut Registry, &Core) -> Result<Option<Box<dyn MaterialEffect>>>;
 
 /// Declares columns and effects for bodies with these constants.
 ///
 /// # Errors
-/// Where an effect misses what it needs.
+/// Where an effect needs a column or effect that is missing.
 pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Result<Plan> {
     plan_with(scene, constants, &[])
 }
 
-/// The same with further effects, which act after those of the program in their order.
+/// [`plan`] with further effects, which act after those of the program in their order.
 ///
 /// # Errors
-/// Where an effect misses what it needs.
+/// Where an effect needs a column or effect that is missing.
 pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare]) -> Result<Plan> {
     let mut registry = Registry::new(scene.dimension);
     let body_material: Vec<usize> = scene.bodies.iter().map(|body| body.material).collect();
@@ -129,7 +129,7 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
     Ok(Plan { registry, view, effects, integrator, terms, constants, motions, gravity })
 }
 
-/// Heat that a scene gives to matter in which heat does nothing would be lost without a word.
+/// The integrator; it is declared last, as it has to know all integrated columns.
 fn check_heat(scene: &Scene, registry: &Registry) -> Result<()> {
     let is_cold = registry.find::<f64>(INTERNAL_ENERGY).is_none();
     let heated = scene.bodies.iter().find(|body| body.internal_energy != 0.0 || body.blast.is_some());
@@ -158,7 +158,7 @@ fn terms(scene: &Scene, view: &ParticleView) -> Terms {
     let numerics = &scene.numerics;
     let artificial = numerics.artificial_stress.is_some();
     let (corrected, contrast) = (numerics.corrected_gradient, numerics.density_contrast);
-    // Pressure alone pulls along the line between two particles.
+    // Pressure alone acts along the line between two particles.
     let angular_momentum = numerics.angular_momentum;
     let tensor = artificial || scene.materials.iter().any(|m| m.has_strength());
     let betas: Vec<f64> = (0..scene.bodies.len()).map(|body| view.viscosity(body).beta).collect();
@@ -186,7 +186,7 @@ fn falls_round(scene: &Scene) -> bool {
 }
 
 impl Plan {
-    /// New particles of this rank's share of every body, and how to step them.
+    /// New particles of this rank's share of every body, and the settings of their steps.
     pub fn populate(self, scene: &Scene, comm: &Comm) -> Result<(Columns, StepSettings)> {
         let core = self.view.core;
         let mut columns = Columns::new(self.registry.clone());
@@ -246,7 +246,7 @@ impl Plan {
         Ok((columns, self.settings(scene)))
     }
 
-    /// How to step particles that come from a checkpoint.
+    /// The settings of steps for particles from a checkpoint.
     pub fn settings(self, scene: &Scene) -> StepSettings {
         let numerics = &scene.numerics;
         // Of the coarsest lattice, as measured by its smoothing length.

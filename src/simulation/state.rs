@@ -1,4 +1,4 @@
-//! What a run knows beside its particles; all of it goes into checkpoints.
+//! The state of a run beside its particles; all of it is in checkpoints.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,16 +10,16 @@ use crate::outcome::settled::Settled;
 use crate::step::late::Switch;
 use crate::step::{Counters, StepState, Totals};
 
-/// Motion is spent where less than this share of the scale of energy is left of it.
+/// Kinetic energy below this share of the scale of energy counts as zero.
 const SPENT: f64 = 1e-3;
 
-/// Largest deviations of conserved quantities so far. What walls, pistons and uniform gravity do is counted: energy stands for
-/// energy less their work, momentum for momentum less theirs.
+/// Largest deviations of conserved quantities so far. Walls, pistons and uniform gravity are accounted for: energy is
+/// energy less their work, momentum is momentum less theirs.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Conservation {
     /// J.
     pub initial_energy: f64,
-    /// Initial kinetic energy in the centre-of-mass frame, J; where that is zero, `largest_energy` stands for it.
+    /// Initial kinetic energy in the centre-of-mass frame, J; where that is zero, `largest_energy` is used instead.
     pub energy_scale: f64,
     /// Largest sum of kinetic and internal energy and the size of that in the particles' own field, J.
     #[serde(default)]
@@ -30,7 +30,7 @@ pub struct Conservation {
     pub energy: f64,
     /// Largest |p - p0| over sum m |v|.
     pub momentum: f64,
-    /// Largest |L - L0| over sum m |x| |v|; says something in open space without prescribed motion only.
+    /// Largest |L - L0| over sum m |x| |v|; meaningful in open space without prescribed motion only.
     pub angular_momentum: f64,
     /// Largest |L - L0|, kg m^2/s.
     #[serde(default)]
@@ -48,7 +48,7 @@ impl Conservation {
         }
     }
 
-    /// Takes a change of energy out of the account, J.
+    /// Excludes a change of energy from the drift, J.
     pub fn shift_energy(&mut self, jump: f64) {
         self.initial_energy += jump;
     }
@@ -68,7 +68,7 @@ impl Conservation {
         self.largest_energy = self.largest_energy.max(now.kinetic + now.internal + own);
     }
 
-    /// What drifts of energy are measured by, J.
+    /// The scale of drifts of energy, J.
     pub fn energy_scale(&self) -> f64 {
         if self.energy_scale > 0.0 { self.energy_scale } else { self.largest_energy }
     }
@@ -78,14 +78,14 @@ impl Conservation {
         if scale > 0.0 { self.energy / scale } else { self.energy }
     }
 
-    /// The same change over the kinetic energy in the centre-of-mass frame that is left, J; not a number where that is next to
-    /// nothing, as in matter that has come to rest.
+    /// Largest change of energy over the remaining kinetic energy in the centre-of-mass frame, `left`, J; NaN where that is almost
+    /// zero, as in matter that has come to rest.
     pub fn energy_drift_over_left(&self, left: f64) -> f64 {
         if left > SPENT * self.energy_scale() { self.energy / left } else { f64::NAN }
     }
 }
 
-/// What a run has found so far, as a checkpoint keeps it beside the state of its steps.
+/// Results of a run so far, which a checkpoint holds beside the state of its steps.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct RunState {
     pub conservation: Conservation,
@@ -95,31 +95,31 @@ pub struct RunState {
     #[serde(default)]
     pub snapshot_time: Option<f64>,
     pub settled: Option<Settled>,
-    /// The largest remnant, once the shock has left, where gravity decides about the end.
+    /// The largest remnant, once the shock has left, where the run ends with reaccumulation.
     #[serde(default)]
     pub reaccumulated: Option<Reaccumulated>,
-    /// Since the late stage has begun.
+    /// The switch to the late stage, once it has begun.
     #[serde(default)]
     pub late: Option<LateStart>,
-    /// (time, s; amplitude, m/s) of a vibration that is compared with its exact period; of matter at rest its speed over that of
+    /// (time, s; amplitude, m/s) of a vibration that is compared with its exact period; for matter at rest its speed over that of
     /// free fall.
     #[serde(default)]
     pub vibration: Vec<[f64; 2]>,
-    /// Outcome where the run settled, or at its end: this one counts. None of ground.
+    /// Outcome where the run settled, or at its end: this one counts. `None` for ground.
     pub outcome: Option<Outcome>,
-    /// What is left of a flat face, at the same time.
+    /// The crater in a flat face, at the same time.
     #[serde(default)]
     pub crater: Option<Crater>,
-    /// When that was, s.
+    /// Time of the outcome, s.
     pub outcome_time: f64,
-    /// Where the run has ended; a later end takes it on from there.
+    /// Where the run has ended; with a later end it is continued from there.
     #[serde(default)]
     pub end: Option<End>,
     /// Wall time, processor time and MPI waits of all ranks before the last restart, s.
     pub spent: Spent,
 }
 
-/// What a checkpoint holds beside the columns, as it is written.
+/// The contents of a checkpoint beside the columns, for writing.
 #[derive(Serialize)]
 pub struct Saved<'a> {
     pub step: &'a StepState,
@@ -127,7 +127,7 @@ pub struct Saved<'a> {
     pub run: &'a RunState,
 }
 
-/// The same, as it is read.
+/// The contents of a checkpoint beside the columns, for reading.
 #[derive(Deserialize)]
 pub struct Restored {
     pub step: StepState,
@@ -161,7 +161,7 @@ impl RunState {
     }
 }
 
-/// What a run has cost, over all ranks but for wall time.
+/// The cost of a run, over all ranks but for wall time.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 pub struct Spent {
     /// s.
@@ -192,7 +192,7 @@ mod tests {
         }
     }
 
-    /// The largest deviations count, wherever a run has come back to.
+    /// The largest deviations count, also after a return to an earlier state.
     #[test]
     fn drifts_are_the_largest_deviations() {
         let mut kept = Conservation::new(&start());
@@ -209,7 +209,7 @@ mod tests {
         // 10 J less those of the centre of mass, 4^2 / (2 x 2).
         assert!((kept.energy_drift() - 0.3 / 6.0).abs() < 1e-12, "{}", kept.energy_drift());
         assert!((kept.momentum - 0.5 / 8.0).abs() < 1e-15 && (kept.angular_momentum - 2.0 / 20.0).abs() < 1e-15);
-        // Lost energy counts as won energy does.
+        // Lost energy counts like gained energy.
         kept.note(&Totals { kinetic: 9.0, ..start() }, 4.0);
         assert!((kept.energy_drift() - 1.0 / 6.0).abs() < 1e-12);
     }
@@ -229,7 +229,7 @@ mod tests {
         assert_eq!((kept.energy_drift(), kept.momentum), (0.0, 0.0));
     }
 
-    /// Of what starts at rest, the largest energy there is.
+    /// Where matter starts at rest the scale is the largest energy.
     #[test]
     fn matter_at_rest_has_a_scale_too() {
         let rest = Totals { kinetic: 0.0, momentum: Vec3::zeros(), internal: 0.0, ..start() };

@@ -1,4 +1,4 @@
-//! The loop over steps: when to write, signals, and the question whether the outcome has settled.
+//! The loop over steps: when to write, signals, and whether the outcome has settled.
 
 use super::due::{self, NextStep};
 use super::run::{Ended, Options, Run, RunReport};
@@ -17,7 +17,7 @@ use crate::step::time_step::NamedLimit;
 /// What ranks may request after a step; the largest request counts.
 const CHECKPOINT: u32 = 1;
 const STOP: u32 = 2;
-/// Something failed on one rank alone; all leave together.
+/// An operation failed on one rank alone; all ranks end together.
 const FAILED: u32 = 3;
 
 /// Runs a scene. Collective.
@@ -62,13 +62,13 @@ impl<'a, const D: usize> Run<'a, D> {
             self.write_snapshot_if_due()?;
             if stepped.signal >= CHECKPOINT {
                 let saved = self.write_checkpoint();
-                // What failed before says more than that its consequences do.
+                // The first error says more than its consequences.
                 agree(self.comm, self.failed.take().map_or(Ok(()), Err)).and(saved)?;
             }
             if stepped.signal >= STOP {
                 self.write_products()?;
                 if self.comm.is_root() {
-                    tracing::warn!("stopped at step {steps}, t = {:e} s; --resume goes on", self.stepper.state.time);
+                    tracing::warn!("stopped at step {steps}, t = {:e} s; --resume continues", self.stepper.state.time);
                 }
                 return Ok(self.report(Ended::Interrupted));
             }
@@ -124,16 +124,16 @@ impl<'a, const D: usize> Run<'a, D> {
         }
         let coming = self.stepper.state.step + 1;
         let trigger = self.fault.trigger(coming);
-        if trigger == Trigger::Stop || signals::asked() != 0 || self.last == Some(coming) {
+        if trigger == Trigger::Stop || signals::received() != 0 || self.last == Some(coming) {
             return STOP;
         }
         let due = self.comm.is_root() && self.saved.elapsed().as_secs_f64() > self.scene.run.checkpoint_every;
         if due || trigger == Trigger::Checkpoint { CHECKPOINT } else { 0 }
     }
 
-    /// Saves the state that a step failed from. A step writes over that state, and a copy of it would cost every step memory;
-    /// but the same bits come again, so the run goes back to the newest checkpoint (or to its start), repeats the steps up to
-    /// the one that failed, with all that they write, and stops there with a checkpoint. Returns what is to be told.
+    /// Saves the state before a step that failed. A step overwrites that state, and a copy of it would cost every step memory;
+    /// but steps are reproducible, so the run goes back to the newest checkpoint (or to its start), repeats the steps up to
+    /// the one that failed, with all that they write, and stops there with a checkpoint. Returns the error to be reported.
     /// Collective.
     fn go_back(self, failure: &Failure) -> Error {
         let (scene, comm) = (self.scene, self.comm);
@@ -150,11 +150,11 @@ impl<'a, const D: usize> Run<'a, D> {
             run.last = Some(before);
             Ok(if found < before { run.run_to_end()?.summary.steps } else { found })
         };
-        let told = match stop() {
-            Ok(steps) => format!("; --resume goes on from the checkpoint after step {steps}"),
+        let continuation = match stop() {
+            Ok(steps) => format!("; --resume continues from the checkpoint after step {steps}"),
             Err(second) => format!("; the state before that step could not be saved: {second}"),
         };
-        Error { what: error.what + &told, ..error }
+        Error { what: error.what + &continuation, ..error }
     }
 
     /// Names the particle that makes the time step collapse.

@@ -1,4 +1,4 @@
-//! The summary of a run: its figures, and what it says on the terminal at its end.
+//! The summary of a run: its figures, and its last lines on the terminal.
 
 use std::path::Path;
 
@@ -83,7 +83,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
     summary
 }
 
-/// Whether energy is accounted for: cold matter does not say what it takes up.
+/// The fate of each body.
 fn has_balance(scene: &Scene) -> bool {
     scene.bodies.iter().all(|body| !scene.materials[body.material].eos.law().is_cold())
 }
@@ -141,7 +141,7 @@ fn outcome_figures<const D: usize>(report: &Report<D>) -> Figures {
     for (diagnostic, total) in diagnostics.zip(&report.totals.effects) {
         match diagnostic.name.strip_suffix("_mass") {
             Some(what) => figures.push((format!("{what}_fraction"), total / report.totals.mass)),
-            // A crater may have told it.
+            // A crater may have reported it.
             None if figures.iter().all(|(name, _)| name != diagnostic.name) => {
                 figures.push((diagnostic.name.to_string(), *total))
             }
@@ -173,8 +173,8 @@ fn remnant_figures(outcome: &Outcome, later: Option<&Outcome>) -> Vec<(String, f
     figures
 }
 
-/// The end of a run on the terminal, rank 0; the first `said` warnings were said before.
-pub fn print(summary: &Summary, crater: Option<&Crater>, said: usize, directory: &Path, is_root: bool) {
+/// The end of a run on the terminal, rank 0; the first `printed` warnings were printed before.
+pub fn print(summary: &Summary, crater: Option<&Crater>, printed: usize, directory: &Path, is_root: bool) {
     let phase = |phase: Phase| 100.0 * summary.phases.0[phase as usize].1;
     let turning = match summary.angular_momentum_drift {
         drift if drift.is_finite() => format!(", angular momentum {drift:.1e}"),
@@ -223,6 +223,6 @@ pub fn print(summary: &Summary, crater: Option<&Crater>, said: usize, directory:
             of("fragments")
         );
     }
-    warning::say(&summary.warnings[said..], is_root);
+    warning::log(&summary.warnings[printed..], is_root);
     tracing::info!("written to {}{}", directory.display(), warning::in_short(&summary.warnings));
 }

@@ -1,5 +1,5 @@
-//! What a run warns about: the numbers of its scene before it starts, and what it has done to energy, angular momentum and density by
-//! its end. Every kind of warning goes through here.
+//! Warnings of a run: about the numbers of its scene before it starts, and about energy, angular momentum and density at
+//! its end. Every kind of warning is made here.
 
 use super::report::Report;
 use crate::math::Vec3;
@@ -9,30 +9,30 @@ use crate::scene::{Body, Scene};
 use crate::step::packing::{FACTOR, Packing};
 use crate::warning::Warning;
 
-/// Largest drift of energy over the initial kinetic energy, and over what is left of it.
+/// Largest drift of energy over the initial kinetic energy, and over the remaining one.
 const ENERGY: f64 = 1e-3;
 const ENERGY_OVER_LEFT: f64 = 1e-2;
-/// Of the sum of internal energy below zero, over the same.
+/// Largest sum of internal energy below zero, over the initial kinetic energy.
 const BELOW_ZERO: f64 = 1e-3;
-/// Of angular momentum over sum m |x| |v|.
+/// Largest drift of angular momentum over sum m |x| |v|.
 const ANGULAR_MOMENTUM: f64 = 1e-2;
-/// The least change of it that counts, over R sqrt(2 E M): what all matter has on circles of the scene's size, with the energy that
-/// drifts are measured by. In matter at rest sum m |x| |v| is noise, and so is what drifts (6e-6 of this in balls at rest).
+/// The least change of it that counts, over R sqrt(2 E M), the angular momentum of all matter on circles of the scene's size with
+/// the scale E of energy. In matter at rest sum m |x| |v| is noise, and so is the drift (6e-6 of this in balls at rest).
 const TURNING: f64 = 1e-4;
-/// Share of a body's particles whose density may be off, and how many must be such that it can be told. In good runs, shocks and
-/// spray included, 98 % lie within 0.88 and 1.14; of rubble whose voids are a spacing wide 5 % below 0.67.
+/// Share of a body's particles whose density may be off, and the least number of particles inside for a judgement. In good runs,
+/// shocks and spray included, 98 % lie within 0.88 and 1.14; of rubble whose voids are a spacing wide 5 % below 0.67.
 const OFF: f64 = 0.1;
-const LEAST_TOLD: u64 = 20;
+const LEAST_INSIDE: u64 = 20;
 /// Least particles of a remnant in 2D and 3D: about two thirds of so many lie at its surface.
 const FEW: [u64; 2] = [25, 100];
 
-/// What can be said before anything runs.
+/// Warnings before a run.
 pub fn of_scene(scene: &Scene) -> Vec<Warning> {
     let units = scene.warnings().into_iter().map(|text| Warning::new("units", text));
     units.chain(scene.unresolved()).collect()
 }
 
-/// What can be said once it has run; `summary`: its figures.
+/// Warnings after a run; `summary`: its figures.
 pub fn of_run<const D: usize>(report: &Report<D>, summary: &Summary) -> Vec<Warning> {
     let outcome = report.state.outcome.as_ref();
     let scale = report.state.conservation.energy_scale();
@@ -59,7 +59,7 @@ fn energy(summary: &Summary) -> Option<Warning> {
         "energy",
         format!(
             "total energy has drifted by {all:.1e} of the initial kinetic energy{left}: what moved slowly at the end may owe it to that \
-             (change: spacings of the bodies more alike, more particles, numerics.cfl; history.csv says when it grew)"
+             (change: spacings of the bodies more alike, more particles, numerics.cfl; history.csv shows when it grew)"
         ),
     ))
 }
@@ -93,13 +93,13 @@ fn angular_momentum(summary: &Summary, turn: f64) -> Option<Warning> {
     })
 }
 
-/// Of the body in which most is off.
+/// The warning for the body in which most particles are off.
 fn density(scene: &Scene, packing: &[Packing]) -> Option<Warning> {
-    let share = |p: &Packing| p.off() as f64 / p.told() as f64;
-    let known = packing.iter().enumerate().filter(|(_, p)| p.told() >= LEAST_TOLD && share(p) > OFF);
+    let share = |p: &Packing| p.off() as f64 / p.judged() as f64;
+    let known = packing.iter().enumerate().filter(|(_, p)| p.judged() >= LEAST_INSIDE && share(p) > OFF);
     let (body, worst) = known.max_by(|a, b| share(a.1).total_cmp(&share(b.1)))?;
     let text = format!(
-        "in `{}` density is not mass over volume: of {} particles inside matter {} lie denser than their density says by a factor of \
+        "in `{}` density is not mass over volume: of {} particles inside matter {} lie more densely than their density by a factor of \
          {FACTOR}, {} less dense; {} beside it are pressed together by nothing (change: numerics.corrected_gradient, \
          numerics.density_contrast, spacings more alike)",
         scene.bodies[body].name, worst.inside, worst.crowded, worst.sparse, worst.alone
@@ -109,7 +109,7 @@ fn density(scene: &Scene, packing: &[Packing]) -> Option<Warning> {
 
 fn few_particles(outcome: &Outcome, dimension: usize) -> Option<Warning> {
     let (found, least) = (outcome.largest_remnant_particles, FEW[dimension - 2]);
-    // Records of earlier versions do not tell.
+    // Records of earlier versions lack this number.
     (found > 0 && found < least).then(|| {
         let text = format!(
             "the largest remnant, {:.3} of the target, is of {found} particles, fewer than {least}: its mass is the spacing's as much as \
@@ -155,10 +155,10 @@ mod tests {
         };
         assert_eq!(kind(energy(&drift(9e-4, 9e-3, 0.0))), "");
         assert_eq!(kind(energy(&drift(1.1e-3, f64::NAN, 0.0))), "energy");
-        let told = energy(&drift(5e-4, 0.2, 0.0)).expect("a warning").text;
+        let text = energy(&drift(5e-4, 0.2, 0.0)).expect("a warning").text;
         assert!(
-            told.contains("5.0e-4 of the initial") && told.contains("2.0e-1 of the kinetic energy that is left"),
-            "{told}"
+            text.contains("5.0e-4 of the initial") && text.contains("2.0e-1 of the kinetic energy that is left"),
+            "{text}"
         );
         let turning = |drift_of_l, turn| kind(angular_momentum(&drift(0.0, 0.0, drift_of_l), turn));
         assert_eq!(turning(9e-3, 1.0) + &turning(f64::NAN, 1.0) + &turning(0.9, 9e-5), "");
@@ -172,8 +172,8 @@ mod tests {
         let scene = Scene::parse("qd.toml", include_str!("../../inputs/qd_star.toml"), &[]).expect("a scene");
         let of = |inside, crowded, sparse, alone| Packing { inside, crowded, sparse, alone };
         assert_eq!(density(&scene, &[of(1000, 50, 50, 0), of(9, 9, 0, 10)]), None);
-        let told = density(&scene, &[of(1000, 60, 60, 0), of(100, 0, 30, 40)]).expect("a warning").text;
-        assert!(told.starts_with("in `projectile`") && told.contains("100 particles inside matter 0 lie"), "{told}");
-        assert!(told.contains("30 less dense; 40 beside it"), "{told}");
+        let text = density(&scene, &[of(1000, 60, 60, 0), of(100, 0, 30, 40)]).expect("a warning").text;
+        assert!(text.starts_with("in `projectile`") && text.contains("100 particles inside matter 0 lie"), "{text}");
+        assert!(text.contains("30 less dense; 40 beside it"), "{text}");
     }
 }

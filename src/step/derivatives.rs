@@ -6,17 +6,17 @@ use super::pack::read_stress;
 use super::settings::{Moment, StepSettings};
 use super::time_step::{self, Limit};
 use super::workspace::Workspace;
-use crate::material::{Local, Motion};
+use crate::material::{Local, LocalFlow};
 use crate::math::{Mat3, Sym};
 use crate::motion::{DampingLimit, Moving};
 use crate::pair::record::half;
-use crate::pair::{Layout, RowSums, Rows, correction, torque};
+use crate::pair::{Layout, RowSums, Rows, angular_momentum, correction};
 use crate::particles::{Chunk, Registry};
 
 /// Rows of a chunk that are summed between two requests for columns.
 const ROWS_PER_FETCH: usize = 32;
 
-/// The rates of a chunk at a moment.
+/// Evaluates the rates of a chunk whose records are in `rows`; false where one of them is not finite, which is then noted.
 pub struct Derivatives<'a> {
     pub settings: &'a StepSettings,
     pub registry: &'a Registry,
@@ -28,7 +28,7 @@ impl Derivatives<'_> {
     /// Evaluates the rates of the chunk, whose records stand in `rows`; false where one of them is not finite, which is then noted.
     pub fn evaluate(&self, rows: &Rows, workspace: &mut Workspace) -> bool {
         let (chunk, settings) = (self.chunk, self.settings);
-        // While pairs are summed, the columns that their sums will change come from memory.
+        // While pairs are summed, the columns that their sums will change are prefetched.
         let mut sums = workspace.sums.chunks_mut(ROWS_PER_FETCH);
         for start in chunk.range.clone().step_by(ROWS_PER_FETCH) {
             let rows_now = start..(start + ROWS_PER_FETCH).min(chunk.range.end);
@@ -36,7 +36,7 @@ impl Derivatives<'_> {
             chunk.fetch(start - chunk.range.start..rows_now.end - chunk.range.start);
             settings.pair_loop.sum(rows, rows_now, sums);
         }
-        self.find_motion(rows, workspace);
+        self.find_flow(rows, workspace);
         workspace.rates.clear();
         if let Some(gravity) = &settings.gravity {
             gravity.add(chunk, self.moment.gravity_age, self.registry.dimension, &workspace.rates);
@@ -55,7 +55,7 @@ impl Derivatives<'_> {
     }
 
     /// Acceleration, velocity gradient and heating of each row.
-    fn find_motion(&self, rows: &Rows, workspace: &mut Workspace) {
+    fn find_flow(&self, rows: &Rows, workspace: &mut Workspace) {
         let layout = &self.settings.pair_loop.layout();
         let dimension = layout.dimension;
         let stride = layout.stride();
@@ -71,8 +71,8 @@ impl Derivatives<'_> {
             if layout.terms.angular_momentum() {
                 let axial = |k: usize| half(record, layout.axial() + k);
                 work += match dimension {
-                    2 => torque::heating::<2>(&[axial(0)], &sums.gradient),
-                    _ => torque::heating::<3>(&[axial(0), axial(1), axial(2)], &sums.gradient),
+                    2 => angular_momentum::heating::<2>(&[axial(0)], &sums.gradient),
+                    _ => angular_momentum::heating::<3>(&[axial(0), axial(1), axial(2)], &sums.gradient),
                 };
             }
             let heating = inverse_density * (work + 0.5 * sums.dissipation);
@@ -80,14 +80,14 @@ impl Derivatives<'_> {
                 0 => Mat3::from_diagonal_element(self.unloading(k, body)),
                 _ => corrected(layout, &raw, sums),
             };
-            workspace.motion[k] = Motion { velocity_gradient, heating };
+            workspace.flow[k] = LocalFlow { velocity_gradient, heating };
             workspace.found.pairs += sums.neighbours as u64;
         }
     }
 
-    /// The expansion, 1/s along each axis, by which a particle that has lost all neighbours lets go of its pressure, of either sign: at its
-    /// speed of sound over h, in ten steps or more, so that it limits no step. Without it the pressure of its last contact would
-    /// stay for good. Its energy stays, as nothing takes up work.
+    /// The expansion, 1/s along each axis, by which a particle that has lost all neighbours releases its pressure, of either sign:
+    /// at its speed of sound over h, in ten steps or more, so that it limits no step. Without it the pressure of its last contact
+    /// would stay for good. Its energy stays, as it does no work on others.
     fn unloading(&self, k: usize, body: usize) -> f64 {
         let (view, dt) = (&self.settings.view, self.moment.dt);
         let at = |column| self.chunk.view(column).get(k);
@@ -100,7 +100,7 @@ impl Derivatives<'_> {
         rate.clamp(-0.1 / dt, 0.1 / dt) / self.registry.dimension as f64
     }
 
-    /// Motion as the scene prescribes it.
+    /// Applies the motion that the scene prescribes.
     fn constrain(&self, workspace: &Workspace) -> Option<DampingLimit> {
         let motions = self.settings.motions.as_ref()?;
         let velocity = self.settings.view.core.velocity;
@@ -122,7 +122,7 @@ impl Derivatives<'_> {
             let a = &workspace.rates.acceleration[k * dimension..(k + 1) * dimension];
             let a2: f64 = a.iter().map(|a| a.get() * a.get()).sum();
             let sums = &workspace.sums[k];
-            // A particle alone sends no signal to anyone, however hot it is.
+            // A particle without neighbours exchanges no signals, however hot it is.
             let alone = sums.neighbours == 0;
             let cfl = time_step::cfl(*courant, h, sound_speed.get(k), view.viscosity(body), sums.approach);
             let cfl = if alone { f64::INFINITY } else { cfl };
@@ -146,13 +146,13 @@ impl Derivatives<'_> {
     }
 }
 
-/// A chunk as effects see it.
+/// A chunk in the form that effects take.
 pub fn local<'a>(settings: &'a StepSettings, chunk: &'a Chunk<'a>, workspace: &'a Workspace, dt: f64) -> Local<'a> {
     Local {
         chunk,
         bodies: &workspace.bodies,
         constants: &settings.view.constants,
-        motion: &workspace.motion[..chunk.len()],
+        flow: &workspace.flow[..chunk.len()],
         rates: &workspace.rates,
         dt,
     }

@@ -1,4 +1,4 @@
-//! Conserved quantities and what effects report, summed over all particles of all ranks exactly: no order of particles or
+//! Conserved quantities and diagnostics of effects, summed over all particles of all ranks exactly: no order of particles or
 //! ranks can change a bit.
 
 use super::settings::StepSettings;
@@ -16,17 +16,17 @@ pub struct Totals {
     pub kinetic: f64,
     /// J; zero where the equations of state are cold.
     pub internal: f64,
-    /// In the field of gravity, J; none where the scene has no gravity.
+    /// Energy in the field of gravity, J; `None` where the scene has no gravity.
     pub potential: Option<f64>,
     /// Force of uniform gravity on all matter, N.
     pub weight: Vec3,
     /// kg m/s
     pub momentum: Vec3,
-    /// About the origin, kg m^2/s; in 2D only z.
+    /// Angular momentum about the origin, kg m^2/s; in 2D only z.
     pub angular_momentum: Vec3,
-    /// Done by what prescribes the motion of particles, J.
+    /// Work of prescribed motion on particles, J.
     pub work: f64,
-    /// Given by it, kg m/s.
+    /// Momentum added by prescribed motion, kg m/s.
     pub impulse: Vec3,
     /// Sum of m |v|, the scale of momentum errors, kg m/s.
     pub momentum_scale: f64,
@@ -41,12 +41,12 @@ impl Totals {
         self.kinetic + self.internal + self.potential.unwrap_or(0.0)
     }
 
-    /// What stays constant: energy less the work of whatever prescribes motion, J.
+    /// The conserved energy: energy less the work of prescribed motion, J.
     pub fn balance(&self) -> f64 {
         self.energy() - self.work
     }
 
-    /// The same of momentum, kg m/s: less the impulse of walls, and of uniform gravity since the start, `time` s ago.
+    /// The conserved momentum, kg m/s: momentum less the impulse of walls, and of uniform gravity since the start, `time` s ago.
     pub fn momentum_balance(&self, time: f64) -> Vec3 {
         self.momentum - self.impulse - self.weight * time
     }

@@ -1,5 +1,5 @@
-//! A step that could not be made. Non-finite numbers are looked for twice in a stage: in what the material effects have made of a
-//! particle, before it reaches any neighbour, and in its rates, before they act on it. All ranks then know the same particle.
+//! A step that could not be made. Non-finite numbers are looked for twice in a stage: in a particle's columns after the material
+//! effects, before they reach any neighbour, and in its rates, before they act on it. All ranks then know the same particle.
 
 use super::settings::StepSettings;
 use crate::domain::comm::Comm;
@@ -8,19 +8,19 @@ use crate::material::Local;
 use crate::output::agree;
 use crate::particles::columns::Entry;
 use crate::particles::rates::{finite, words_of};
-use crate::particles::{Chunk, Life, ParticleId, Registry, Shape, View};
+use crate::particles::{Chunk, ColumnShape, Life, ParticleId, Registry, View};
 
 /// Why a step could not be made, on all ranks alike.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Failure {
     /// The step that failed; 0 is the evaluation of new particles.
     pub step: u64,
-    /// Where it began; none where no single particle is to blame.
+    /// The particle where it began; `None` where there is no single one.
     pub particle: Option<ParticleId>,
     pub what: String,
 }
 
-/// A particle with a non-finite number, and which.
+/// A particle with a non-finite number, and which number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NonFinite {
     pub id: ParticleId,
@@ -31,8 +31,8 @@ impl Failure {
     /// The failure of the particle with the smallest id that any rank has found. Collective; some rank must have found one.
     pub fn of_ranks(mine: Option<&NonFinite>, step: u64, comm: &Comm) -> Self {
         let first = comm.all_gather(&[mine.map_or(u64::MAX, |found| found.id.0)]).into_iter().fold(u64::MAX, u64::min);
-        let told = mine.filter(|found| found.id.0 == first).map_or(Ok(()), |found| Err(Error::new(&found.what)));
-        let what = agree(comm, told).map_or_else(|error| error.what, |()| "a number is not finite".to_string());
+        let reported = mine.filter(|found| found.id.0 == first).map_or(Ok(()), |found| Err(Error::new(&found.what)));
+        let what = agree(comm, reported).map_or_else(|error| error.what, |()| "a number is not finite".to_string());
         Self { step, particle: Some(ParticleId(first)), what }
     }
 
@@ -56,14 +56,14 @@ impl NonFinite {
     }
 }
 
-/// The columns that are looked through after the effects have acted: what snapshots show and what follows from the state. Others are
-/// rates, which are looked at when they are made, and values of earlier moments.
+/// The columns that are checked after the effects have acted: those of snapshots and those that follow from the state. Others are
+/// rates, which are checked when they are made, and values of earlier moments.
 pub struct Watched(Vec<(usize, Entry)>);
 
 impl Watched {
     pub fn new(registry: &Registry) -> Self {
         let is_watched = |entry: &Entry| {
-            entry.shape != Shape::Id
+            entry.shape != ColumnShape::Id
                 && entry.owner != "integrator"
                 && (entry.info.snapshot || entry.info.life == Life::Scratch)
         };
@@ -80,7 +80,7 @@ impl Watched {
             let words = chunk.words(*index);
             let bad = (0..chunk.len()).filter(|&k| !finite(&words[k * entry.width..(k + 1) * entry.width]));
             let what =
-                || format!("its {} is no number after the effects have acted (owner: {})", entry.name, entry.owner);
+                || format!("its {} is not finite after the effects have acted (owner: {})", entry.name, entry.owner);
             let bad = bad.map(|k| ids.get(k)).min().map(|id| NonFinite { id, what: what() });
             *found = NonFinite::first(found.take(), bad);
         }
@@ -88,7 +88,7 @@ impl Watched {
 }
 
 /// The first particle with a rate that is not finite, and which of the causes in their order: the forces of its neighbours,
-/// their motion, or the effect without which its rates would be numbers.
+/// their motion, or the effect that makes its rates non-finite.
 pub fn first_non_finite_rate(settings: &StepSettings, registry: &Registry, local: &Local) -> Option<NonFinite> {
     let (n, dimension, rates) = (local.len(), registry.dimension, local.rates);
     let mut found = None;
@@ -99,12 +99,12 @@ pub fn first_non_finite_rate(settings: &StepSettings, registry: &Registry, local
         }
     };
     for k in 0..n {
-        let motion = &local.motion[k];
-        let gradient = motion.velocity_gradient.as_slice();
+        let flow = &local.flow[k];
+        let gradient = flow.velocity_gradient.as_slice();
         if !finite(words_of(&rates.acceleration[k * dimension..(k + 1) * dimension])) {
-            note(k, &|| "the forces of its neighbours add up to an acceleration that is no number".into());
-        } else if !(gradient.iter().all(|x| x.is_finite()) && motion.heating.is_finite()) {
-            note(k, &|| "the motion of its neighbours gives a velocity gradient that is no number".into());
+            note(k, &|| "the forces of its neighbours add up to an acceleration that is not finite".into());
+        } else if !(gradient.iter().all(|x| x.is_finite()) && flow.heating.is_finite()) {
+            note(k, &|| "the motion of its neighbours gives a velocity gradient that is not finite".into());
         }
     }
     // Effects fill the rates once more, one after another.
@@ -114,7 +114,7 @@ pub fn first_non_finite_rate(settings: &StepSettings, registry: &Registry, local
         for (slot, &value) in registry.integrated.iter().enumerate() {
             for k in (0..n).filter(|&k| !finite(rates.of_particle(slot, k))) {
                 let name = &registry.entries[value].name;
-                note(k, &|| format!("effect `{}` makes a rate of {name} that is no number", effect.name()));
+                note(k, &|| format!("effect `{}` makes a rate of {name} that is not finite", effect.name()));
             }
         }
     }
@@ -127,9 +127,9 @@ mod tests {
 
     #[test]
     fn a_failure_names_step_particle_and_body() {
-        let failure = Failure { step: 7, particle: Some(ParticleId::new(1, 42)), what: "it is none".into() };
+        let failure = Failure { step: 7, particle: Some(ParticleId::new(1, 42)), what: "it is not finite".into() };
         let text = failure.error(|body| ["target", "projectile"][body]).to_string();
-        assert_eq!(text, "step 7, particle 42 of body projectile: it is none");
-        assert_eq!(Failure { particle: None, ..failure }.error(|_| "").to_string(), "step 7: it is none");
+        assert_eq!(text, "step 7, particle 42 of body projectile: it is not finite");
+        assert_eq!(Failure { particle: None, ..failure }.error(|_| "").to_string(), "step 7: it is not finite");
     }
 }

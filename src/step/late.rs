@@ -1,5 +1,5 @@
-//! The switch to the late stage (see `material::late`), between two steps: effects go over to soft matter, particles are brought
-//! over, and rates are made anew with it, so that the next step predicts with nothing of before. All of it follows from the
+//! The switch to the late stage (see `material::late`), between two steps: effects switch to soft matter, the state of particles is
+//! converted, and rates are evaluated anew, so that the next step predicts with the new ones alone. All of it follows from the
 //! particles alone, and sums are exact: the same bits on any ranks.
 
 use serde::{Deserialize, Serialize};
@@ -16,23 +16,23 @@ use crate::math::ExactSum;
 pub struct Loads {
     /// J.
     pub elastic_energy: f64,
-    /// Mean over mass of the pressure that acts, Pa.
+    /// Mean over mass of the acting pressure, Pa.
     pub mean_pressure: f64,
-    /// Largest size of it, Pa.
+    /// Largest modulus of the acting pressure, Pa.
     pub largest_pressure: f64,
 }
 
-/// What the switch did.
+/// The effects of the switch.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Switch {
     pub before: Loads,
     pub after: Loads,
-    /// By which internal energy changed, J: the difference of the elastic energies.
+    /// Change of internal energy, J: the difference of the elastic energies.
     pub energy_jump: f64,
 }
 
 impl<const D: usize> Stepper<'_, D> {
-    /// Goes over to soft matter; the next step follows from it. Returns what that did. Collective.
+    /// Switches to soft matter; the next step follows from it. Collective.
     pub fn soften(&mut self, late: &Late) -> Result<Switch, Failure> {
         self.rebuild_released();
         let stiff: Vec<Stiffness> = late.0.iter().map(|body| body.before()).collect();

@@ -1,5 +1,5 @@
 //! One step after another. A step is made of the stages of an integrator ([`integrator`]); for each stage particles are moved to
-//! its moment and their material is brought up to date ([`passes`]), lists are built anew where they do not hold
+//! its moment and their material is updated ([`passes`]), lists are built anew where they do not hold
 //! ([`neighbourhood`]), records are packed ([`pack`]) and exchanged, rates are evaluated ([`derivatives`]) and taken by the
 //! integrator, and ranks reduce what is global ([`reduction`]).
 

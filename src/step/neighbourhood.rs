@@ -1,6 +1,6 @@
-//! What ties particles to their neighbours between two list builds: who owns them, which ghosts came, the lists, and the
-//! watch that says when all of it must be made anew. Everything stands on the positions of the last build, so that a resumed
-//! run has the same lists.
+//! The neighbourhood of particles between two list builds: their owners, the ghosts, the lists, and the
+//! watch that determines when all of it must be made anew. Everything is based on the positions of the last build, so that a
+//! resumed run has the same lists.
 
 use super::phases::{Phase, Phases};
 use super::settings::StepSettings;
@@ -20,10 +20,10 @@ const TOLERATED_IMBALANCE: f64 = 0.05;
 /// Cost of a particle's own update in list entries, until it is measured.
 const FIRST_UPDATE_COST: f64 = 30.0;
 
-/// Steps before times say what a particle costs.
+/// Steps before times give the cost of a particle.
 const STEPS_TO_MEASURE: u64 = 10;
 
-/// What the loads of ranks are estimated from.
+/// Measurements from which the loads of ranks are estimated.
 pub struct Load<'a> {
     pub phases: &'a Phases,
     /// Steps so far, that in progress among them.
@@ -47,7 +47,7 @@ pub struct Neighbourhood<const D: usize> {
     evaluations: u64,
     handles: Handles,
     core: Core,
-    /// Where the rounds of particles along the periods count.
+    /// Column of crossings of the periods, where they count.
     rounds: Option<Column<Vec3>>,
     /// List radius over smoothing length.
     reach: f64,
@@ -99,7 +99,7 @@ impl<const D: usize> Neighbourhood<D> {
         self.decomposition.as_mut().expect("particles are distributed first")
     }
 
-    /// The next build stands on the present positions and smoothing lengths.
+    /// Bases the next build on the present positions and smoothing lengths.
     pub fn start_afresh(&self, columns: &mut Columns, settings: &StepSettings) {
         self.wrap(columns);
         columns.copy(self.core.position.index, self.core.build_position.index);
@@ -151,7 +151,7 @@ impl<const D: usize> Neighbourhood<D> {
         self.list_bytes = self.list_bytes.max(self.list.bytes());
     }
 
-    /// Gives the list's memory back.
+    /// Releases the list's memory.
     pub fn forget_list(&mut self) {
         self.list.forget();
     }
@@ -166,7 +166,7 @@ impl<const D: usize> Neighbourhood<D> {
         self.with_motion(columns, settings, |watch, motion| watch.skin_used(motion, comm))
     }
 
-    /// The longest step in which nothing flies into each other unseen; `all`: the largest relative velocity anywhere, m/s. Collective.
+    /// The longest step in which no two particles meet undetected; `all`: the largest relative velocity anywhere, m/s. Collective.
     pub fn closing(&mut self, columns: &Columns, settings: &StepSettings, all: f64, comm: &Comm) -> Closing {
         let (velocity, id) = (columns.numbers(self.core.velocity.index), self.core.id);
         let moving = Moving { velocity, relative: all, id: &|i| columns.get(id, i).0 };
@@ -219,7 +219,7 @@ impl<const D: usize> Neighbourhood<D> {
         (sum + now * self.evaluations as f64) / (evaluations + self.evaluations).max(1) as f64
     }
 
-    /// The same for the present list, where the update of a particle costs `own` entries. Collective.
+    /// Imbalance of the present list, where the update of a particle costs `own` entries. Collective.
     fn imbalance_of_list(&self, own: f64, comm: &Comm) -> f64 {
         let ListSize { entries, particles } = self.list_size;
         let mine = entries + own * particles;
@@ -234,7 +234,7 @@ impl<const D: usize> Neighbourhood<D> {
         self.list_size
     }
 
-    /// Cost of a particle's own update in list entries, from the time that all ranks took so far: what disturbs one of them
+    /// Cost of a particle's own update in list entries, from the time of all ranks so far: a disturbance of one of them
     /// must not count as load. Collective.
     fn update_cost(&self, load: &Load, comm: &Comm) -> f64 {
         let seconds = |phase: Phase| load.phases.seconds[phase as usize];
@@ -249,7 +249,7 @@ impl<const D: usize> Neighbourhood<D> {
         ((update / particles) / (pairs / entries)).clamp(1.0, 200.0)
     }
 
-    /// Sends the records of boundary particles on their way.
+    /// Starts sending the records of boundary particles.
     pub fn send(&mut self, records: &[f64], stride: usize, comm: &Comm) {
         self.evaluations += 1;
         let words = self.words;
@@ -276,7 +276,7 @@ impl<const D: usize> Neighbourhood<D> {
         self.parts_mut().ghosts.exchange.wait(comm);
     }
 
-    /// Puts the records that came into their slots.
+    /// Puts the received records into their slots.
     pub fn receive(&self, records: &mut [f64], stride: usize) {
         let Decomposition { ghosts, local, .. } = self.parts();
         let incoming = ghosts.exchange.incoming().chunks_exact(self.words);

@@ -1,5 +1,5 @@
-//! When the gravity of the particles on each other is evaluated, and how it overlaps with the sums over pairs. Integrators know nothing
-//! of it: it is due by the age of its last evaluation, at the first stage of a step.
+//! When the gravity of the particles on each other is evaluated, and how it overlaps with the sums over pairs. Integrators are not
+//! involved: it is due by the age of its last evaluation, at the first stage of a step.
 
 use std::time::Instant;
 
@@ -14,7 +14,8 @@ use crate::particles::Columns;
 const STEPS_TO_OVERLAP: f64 = 8.0;
 
 impl<'c, const D: usize> Stepper<'c, D> {
-    /// Begins an evaluation at the first stage of a step, where one is due; returns it if others may go on meanwhile. Collective.
+    /// Begins an evaluation at the first stage of a step, where one is due; returns it if other work may overlap with it.
+    /// Collective.
     pub(super) fn begin_gravity(&mut self, moment: &Moment) -> Option<Evaluation<'c>> {
         let own = self.settings.gravity.and_then(|gravity| gravity.own).filter(|_| moment.stage == 0)?;
         let (timing, dt) = (&mut self.state.gravity, moment.since);
@@ -32,7 +33,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let matter = Matter { id: view.core.id, position: view.core.position, mass_and_softening: &mass_and_softening };
         let evaluation = own.evaluation(&self.columns, &matter, first, self.comm);
         self.phases.add(Phase::Gravity, start);
-        // What counts a step later must not be much older for it; until then the field before goes on.
+        // A field that counts a step later must not be much older for it; until then the previous field is extrapolated.
         if !first && lasts >= STEPS_TO_OVERLAP * dt {
             return Some(evaluation);
         }
@@ -46,7 +47,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         if let Some(own) = self.settings.gravity.and_then(|gravity| gravity.own) {
             own.keep(&mut self.columns, &fields, &mut self.state.gravity);
         }
-        // Waits for other ranks are no load of this one.
+        // Waits for other ranks are not part of this rank's load.
         let waited = self.comm.wait_seconds() - waited;
         self.phases.seconds[Phase::Gravity as usize] -= waited;
         self.phases.seconds[Phase::Wait as usize] += waited;

@@ -1,5 +1,5 @@
-//! Pair records of owned particles from their columns: volume, damaged stress, artificial stress, viscosity. This is all
-//! that neighbours, here or on other ranks, will read in the substep.
+//! Pair records of owned particles from their columns: volume, damaged stress, artificial stress, viscosity. Neighbours, on this
+//! rank or others, read nothing else in the substep.
 
 use std::ops::Range;
 
@@ -8,7 +8,7 @@ use crate::math::lanes::LANES;
 use crate::math::{Sym, Vec3};
 use crate::pair::artificial_stress::artificial_stress;
 use crate::pair::record::{ViscousTerm, set_half};
-use crate::pair::{Layout, torque};
+use crate::pair::{Layout, angular_momentum};
 use crate::particles::{Chunk, Column, ColumnInfo, Columns, Life, Registry};
 
 /// Makes records from columns.
@@ -16,7 +16,7 @@ use crate::particles::{Chunk, Column, ColumnInfo, Columns, Life, Registry};
 pub struct Packer {
     view: ParticleView,
     layout: Layout,
-    /// Where forces have no torque.
+    /// Where angular momentum is conserved.
     pub moments: Option<Moments>,
     /// Strength epsilon of the artificial stress.
     epsilon: f64,
@@ -35,9 +35,9 @@ pub struct Moments {
 
 const MOMENTS: [(&str, &str, &str); 4] = [
     ("moment_diagonal", "", "Second moment of the neighbourhood: xx, yy, zz."),
-    ("moment_off_diagonal", "", "The same: xy, xz, yz, in the plane xy and nothing."),
-    ("moment_diagonal_rate", "1/s", "Its change over the last step: xx, yy, zz."),
-    ("moment_off_diagonal_rate", "1/s", "The same: xy, xz, yz, in the plane xy and nothing."),
+    ("moment_off_diagonal", "", "Second moment of the neighbourhood: xy, xz, yz; in 2D xy alone."),
+    ("moment_diagonal_rate", "1/s", "Rate of the second moment over the last step: xx, yy, zz."),
+    ("moment_off_diagonal_rate", "1/s", "Rate of the second moment over the last step: xy, xz, yz; in 2D xy alone."),
 ];
 
 impl Moments {
@@ -69,7 +69,7 @@ impl Moments {
         }
     }
 
-    /// M of particle `i` a step of `dt` after the last evaluation, as it changed before.
+    /// M of particle `i` a step of `dt` after the last evaluation, extrapolated.
     fn expected(&self, columns: &Columns, i: usize, dt: f64) -> Sym {
         let [on, off] = [0, 1].map(|part| columns.get(self.value[part], i) + columns.get(self.rate[part], i) * dt);
         Sym { xx: on.x, yy: on.y, zz: on.z, xy: off.x, xz: off.y, yz: off.z }
@@ -77,7 +77,7 @@ impl Moments {
 }
 
 impl Packer {
-    /// For records of this layout. `epsilon`: strength of the artificial stress; `eta`: smoothing length over spacing.
+    /// A packer for records of this layout. `epsilon`: strength of the artificial stress; `eta`: smoothing length over spacing.
     pub fn new(registry: &Registry, view: &ParticleView, layout: &Layout, epsilon: f64, eta: f64) -> Self {
         Self {
             view: view.clone(),
@@ -115,7 +115,7 @@ impl Packer {
             }
             if self.moments.is_some() {
                 let plane = self.layout.dimension == 2;
-                let axials = if plane { torque::axials::<2> } else { torque::axials::<3> };
+                let axials = if plane { angular_momentum::axials::<2> } else { angular_momentum::axials::<3> };
                 for (w, i) in axials(&stresses, &moments).iter().zip(eight) {
                     let (to, first) = (self.layout.axial(), if plane { 2 } else { 0 });
                     (first..3).for_each(|k| set_half(record(i), to + k - first, w[k]));
@@ -124,7 +124,7 @@ impl Packer {
         }
     }
 
-    /// Writes all but w, and returns the stress that neighbours see, Pa.
+    /// Writes all but w, and returns the stress that acts on neighbours, Pa.
     fn pack_one(&self, columns: &Columns, i: usize, record: &mut [f64]) -> Sym {
         let (layout, view) = (&self.layout, &self.view);
         let body = columns.get(view.core.id, i).body();
@@ -163,7 +163,7 @@ impl Packer {
     }
 }
 
-fn spread(t: &Sym, k: usize, to: &mut torque::Syms) {
+fn spread(t: &Sym, k: usize, to: &mut angular_momentum::Syms) {
     for (to, x) in to.iter_mut().zip([t.xx, t.yy, t.zz, t.xy, t.xz, t.yz]) {
         to[k] = x;
     }

@@ -1,18 +1,18 @@
-//! Whether density is still mass over volume. Continuity carries density along and never looks at how particles lie; where they
-//! pass through each other, or are pressed by forces that are none, the two part. Inside matter
+//! Whether density is still mass over volume. Continuity integrates density without regard to the places of particles; where they
+//! pass through each other, or are compressed by spurious forces, the two differ. Inside matter
 //!
 //! ```text
 //! S_i = sum_j V_j W_ij     V = m / rho     is 1 where density is mass over volume,
 //! ```
-//! of whatever materials and spacings: 2 where particles lie twice as densely as their densities say. A particle is inside where what
-//! surrounds it is no less than half of what surrounds it in its lattice, and lies evenly:
+//! of whatever materials and spacings: 2 where particles are twice as dense as their densities. A particle is inside where it has
+//! at least half of the surrounding matter that it has in its lattice, evenly distributed:
 //!
 //! ```text
 //! C_i = sum_j v_j W_ij >= 1/2     |sum_j v_j (x_j - x_i) W_ij| <= h C_i / 10     v = (h / eta)^d
 //! ```
-//! Spray and surfaces, where S says nothing, so do not count; but matter that so little is around cannot be dense: what is twice as dense
-//! as it began has kept a density that it no longer has. W is the cubic spline whatever the scene's kernel: any would do. The
-//! sums run over the lists and records of the last evaluation.
+//! Spray and surfaces, where S is meaningless, thus do not count; but matter with so little around it cannot be dense: at twice its
+//! initial density it has kept a density that is no longer true. W is the cubic spline whatever the scene's kernel: any would do.
+//! The sums run over the lists and records of the last evaluation.
 
 use super::Stepper;
 use crate::kernel::{CubicSpline, SUPPORT, Shape};
@@ -26,16 +26,16 @@ const COMPRESSED: f64 = 2.0;
 const LEAST_COVER: f64 = 0.5;
 const MOST_SHIFT: f64 = 0.1;
 
-/// Of one body, on all ranks.
+/// Counts of one body's particles, on all ranks.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Packing {
     /// Particles inside matter.
     pub inside: u64,
-    /// Those of them that lie more densely than their density says, by [`FACTOR`].
+    /// Those of them that are packed more densely than their density, by [`FACTOR`].
     pub crowded: u64,
-    /// Those that lie less densely.
+    /// Those that are packed less densely.
     pub sparse: u64,
-    /// Particles that less than half is around, and that are [`COMPRESSED`] times as dense as they began.
+    /// Particles with less than half of the matter around them, [`COMPRESSED`] times as dense as initially.
     pub alone: u64,
 }
 
@@ -45,20 +45,20 @@ impl Packing {
         self.crowded + self.sparse + self.alone
     }
 
-    /// Particles of which it can be told.
-    pub fn told(&self) -> u64 {
+    /// Particles that can be judged.
+    pub fn judged(&self) -> u64 {
         self.inside + self.alone
     }
 }
 
-/// What a row of neighbours sums up to.
+/// Sums over a row of neighbours.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sums {
     /// S.
     packing: f64,
     /// C.
     cover: f64,
-    /// Of the first moment of C, over h.
+    /// Modulus of the first moment of C, over h.
     shift: f64,
 }
 
@@ -69,7 +69,7 @@ impl Sums {
 }
 
 impl<const D: usize> Stepper<'_, D> {
-    /// One for each body; nothing is found inside where no step has been taken since lists were given back. Collective.
+    /// One for each body; all are zero where no step has been taken since lists were released. Collective.
     pub fn packing(&self) -> Vec<Packing> {
         let mut counts = vec![0i64; 4 * self.settings.view.constants.len()];
         if let Some(rows) = self.rows() {
@@ -93,7 +93,7 @@ impl<const D: usize> Stepper<'_, D> {
     }
 }
 
-/// What the last evaluation left.
+/// Lists and records of the last evaluation.
 struct Neighbours<'a, const D: usize> {
     rows: Rows<'a>,
     layout: Layout,
@@ -105,7 +105,7 @@ impl<const D: usize> Neighbours<'_, D> {
         &self.rows.records[slot as usize * self.layout.stride()..][..self.layout.words()]
     }
 
-    /// Sums of row `i`; nothing where its record has not been made.
+    /// Sums of row `i`; zero where its record has not been made.
     fn sums(&self, i: usize) -> Sums {
         let own = self.record(self.rows.slots[i]);
         let g_i = half(own, self.layout.h_inverse());

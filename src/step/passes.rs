@@ -1,4 +1,4 @@
-//! What is done to one chunk between two reductions: moving it to a stage, evaluating it, accepting or refusing its step.
+//! Operations on one chunk between two reductions: moving it to a stage, evaluating it, accepting or refusing its step.
 
 use super::derivatives::{Derivatives, local};
 use super::settings::{Moment, StepSettings};
@@ -7,7 +7,7 @@ use crate::material::{Late, Local, MaterialEffect};
 use crate::pair::Rows;
 use crate::particles::{Chunk, Registry};
 
-/// What all chunks of a pass share.
+/// Data that all chunks of a pass share.
 #[derive(Clone, Copy)]
 pub struct Passes<'a> {
     pub settings: &'a StepSettings,
@@ -22,14 +22,14 @@ impl Passes<'_> {
         self.settle(chunk, workspace, Some(0.0));
     }
 
-    /// Brings particles over to the soft matter of the late stage.
+    /// Converts particles to the soft matter of the late stage.
     pub fn carry_over(&self, chunk: &Chunk, late: &Late, workspace: &mut Workspace) {
         self.fill_bodies(chunk, workspace);
         self.each_effect(chunk, workspace, 0.0, |effect, local| effect.carry_over(local, late));
         self.settle(chunk, workspace, Some(0.0));
     }
 
-    /// Moves a chunk to the moment of a stage, `share` of a step of `dt` seconds, and brings its material up to date.
+    /// Moves a chunk to the moment of a stage, `share` of a step of `dt` seconds, and updates its material.
     pub fn advance(&self, chunk: &Chunk, moment: &Moment, share: f64, workspace: &mut Workspace) {
         let integrator = &self.settings.integrator;
         if share > 0.0 {
@@ -59,13 +59,13 @@ impl Passes<'_> {
         self.note_velocities(chunk, workspace);
     }
 
-    /// Takes over what is irreversible, at the end of a step that counts.
+    /// Commits irreversible changes, at the end of an accepted step.
     pub fn commit(&self, chunk: &Chunk, dt: f64, workspace: &mut Workspace) {
         self.fill_bodies(chunk, workspace);
         self.settle(chunk, workspace, Some(dt));
     }
 
-    /// Brings the material of a chunk up to date, and commits what has grown in so many seconds, if it is to.
+    /// Updates the material of a chunk, and commits irreversible changes over `commit` seconds, if given.
     fn settle(&self, chunk: &Chunk, workspace: &mut Workspace, commit: Option<f64>) {
         self.each_effect(chunk, workspace, 0.0, |effect, local| effect.admit(local));
         self.each_effect(chunk, workspace, 0.0, |effect, local| effect.update(local));

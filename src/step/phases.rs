@@ -1,4 +1,4 @@
-//! Where the time goes: wall time of each phase of a rank, for the summary.
+//! Wall time of each phase of a rank, for the summary.
 
 use std::time::Instant;
 

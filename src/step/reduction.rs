@@ -1,5 +1,5 @@
 //! The reduction points of a stage: all that is global meets here, in one minimum over ranks before the evaluation (do the lists
-//! hold?) and one after it. Minima do not depend on order, so that every rank goes on with the same bits.
+//! hold?) and one after it. Minima do not depend on order, so that every rank continues with the same bits.
 
 use super::failure::Failure;
 use super::integrator::StepError;
@@ -7,7 +7,7 @@ use super::workspace::{Findings, VelocityRange};
 use crate::domain;
 use crate::domain::comm::Comm;
 
-/// What all ranks know after a stage.
+/// Global values after a stage.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reduced {
     /// Tightest limit of a step, s.
@@ -21,7 +21,7 @@ pub struct Reduced {
     pub smallest: f64,
 }
 
-/// What all ranks have found in a stage of step `step`; a failure where one of them met a non-finite number. Collective.
+/// Reduces the findings of all ranks in a stage of step `step`; a failure where one of them met a non-finite number. Collective.
 pub fn after_evaluation<const D: usize>(
     found: &Findings,
     signal: u32,
@@ -49,8 +49,8 @@ pub fn after_evaluation<const D: usize>(
     })
 }
 
-/// The largest share of the skin that is used up on any rank; a failure where one of them met a non-finite number, so that none goes on
-/// to a neighbour. Collective.
+/// The largest share of the skin that is used up on any rank; a failure where one of them met a non-finite number, so that none
+/// reaches a neighbour. Collective.
 pub fn before_evaluation(found: &Findings, skin_used: f64, step: u64, comm: &Comm) -> Result<f64, Failure> {
     let failed = found.non_finite.is_some();
     let mut values = [if failed { 0.0 } else { skin_used }, failed as u32 as f64];

@@ -1,4 +1,4 @@
-//! Everything a scene decides about a step, held once, and the state of a run that is no column of particles.
+//! All settings of a step by the scene, held once, and the state of a run that is not a column of particles.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,7 +10,7 @@ use crate::motion::Motions;
 use crate::pair::PairLoop;
 use crate::particles::Periods;
 
-/// Everything a scene decides about a step.
+/// All settings of a step by the scene.
 pub struct StepSettings {
     pub view: ParticleView,
     pub effects: Vec<Box<dyn MaterialEffect>>,
@@ -27,8 +27,8 @@ pub struct StepSettings {
     pub skin: f64,
 }
 
-/// All that the steps to come depend on beside the columns, the same on every rank. Checkpoint, state hash and summary take it as it
-/// is serialised here: what is added to it is in all of them.
+/// The state that later steps depend on beside the columns, the same on every rank. Checkpoint, state hash and summary take it as
+/// it is serialised here: a new field is in all of them.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct StepState {
     /// Steps so far.
@@ -60,7 +60,7 @@ pub struct Moment {
     pub last: bool,
 }
 
-/// What happened so far: for the summary, not for the steps to come.
+/// Counts so far: for the summary, not for later steps.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 pub struct Counters {
     pub list_builds: u64,

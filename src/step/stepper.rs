@@ -1,5 +1,5 @@
-//! The particles of a rank and the step that moves them on: the stages of the integrator, each with its lists, its records, its pairs
-//! and its reduction.
+//! The particles of a rank and the step that advances them: the stages of the integrator, each with its lists, its records, its
+//! pairs and its reduction.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -23,17 +23,17 @@ use crate::pair::Rows;
 use crate::particles::chunk::{Chunks, chunk_range};
 use crate::particles::{Chunk, Column, Columns, ParticleId};
 
-/// Chunks between two looks at the messages on their way.
+/// Chunks between two polls of pending messages.
 const CHUNKS_PER_POLL: usize = 8;
-/// A step that fails is tried again with this share of its length, where the integrator may refuse steps, and given up below that
-/// share of its first length.
+/// A step that fails is tried again with this share of its length, where the integrator may refuse steps, and abandoned below
+/// this share of its first length.
 const SHORTER: f64 = 0.2;
 const SHORTEST: f64 = 1e-6;
 
 /// A step that was made.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stepped {
-    /// How long it was, s: less than asked for where it was refused first.
+    /// How long it was, s: less than requested where it was refused first.
     pub taken: f64,
     /// Largest next step, s.
     pub dt: f64,
@@ -55,12 +55,12 @@ pub struct Stepper<'c, const D: usize> {
     pub(super) internal_energy: Option<Column<f64>>,
     pub(super) buffers: Buffers,
     pointers: Vec<(*mut u64, usize)>,
-    /// What this rank has found in the last evaluation.
+    /// Findings of this rank in the last evaluation.
     found: Findings,
 }
 
 impl<'c, const D: usize> Stepper<'c, D> {
-    /// Takes over particles wherever they are; [`Stepper::start`] or [`Stepper::resume`] comes next.
+    /// Takes particles, distributed in any way; [`Stepper::start`] or [`Stepper::resume`] must follow.
     pub fn new(comm: &'c Comm, columns: Columns, settings: StepSettings) -> Self {
         let workers = Workers::new(|| Workspace::new(&columns.registry, settings.effects.len()));
         let internal_energy = columns.registry.find("internal_energy");
@@ -84,7 +84,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
 
     /// New particles: initialises their effects, distributes them and evaluates once, for the first step.
     pub fn start(&mut self) -> Result<(), Failure> {
-        // Smoothing lengths, on which lists stand, may be made by an effect.
+        // Smoothing lengths, on which lists are based, may be set by an effect.
         self.find_chunks();
         self.chunk_pass(|passes, chunk, workspace| passes.initialise(chunk, workspace));
         let found = self.collect();
@@ -93,20 +93,20 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.evaluate_anew()
     }
 
-    /// Particles of a checkpoint and the state that belongs to them: lists stand on the positions of their last build, as if nothing had
-    /// happened.
+    /// Resumes from particles of a checkpoint and their state: lists are based on the positions of their last build, as in the
+    /// uninterrupted run.
     pub fn resume(&mut self, state: StepState) {
         self.state = state;
         self.rebuild(false);
     }
 
-    /// Moves all particles on by `dt` seconds to the time `end`, or by less where the integrator refuses that. `signal` is what this rank
-    /// has to tell, agreed on with all others. Where it fails, particles are left amid the step on every rank, and only a checkpoint
-    /// leads on.
+    /// Advances all particles by `dt` seconds to the time `end`, or by less where the integrator refuses that. `signal`: the
+    /// request of this rank, reduced over all ranks. Where it fails, particles are left in the middle of the step on every rank,
+    /// and the run can only continue from a checkpoint.
     pub fn step(&mut self, dt: f64, end: f64, signal: u32) -> Result<Stepped, Failure> {
         self.rebuild_released();
         let stages = self.settings.integrator.stages();
-        // What is evaluated at the beginning of a step stands, however long the step will be.
+        // Evaluations at the beginning of a step are valid, however long the step will be.
         let at_start = stages.iter().take_while(|&&share| share == 0.0).count();
         self.make_stages(0..at_start, dt, signal)?;
         let mut tried = dt;
@@ -135,7 +135,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         }
     }
 
-    /// Some stages of a step of `dt` seconds; returns what ranks know after the last of them. Collective.
+    /// Makes some stages of a step of `dt` seconds; returns the global values after the last of them. Collective.
     fn make_stages(&mut self, which: Range<usize>, dt: f64, signal: u32) -> Result<Option<Reduced>, Failure> {
         let stages = self.settings.integrator.stages();
         let mut reduced = None;
@@ -149,7 +149,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         Ok(reduced)
     }
 
-    /// A step counts: it took so many seconds, and the clock stands at `time`. Collective.
+    /// Accepts a step of `taken` seconds, which ends at `time`. Collective.
     fn accept(&mut self, taken: f64, time: f64, reduced: &Reduced, most: f64) -> Result<Stepped, Failure> {
         if self.settings.integrator.may_refuse() {
             self.chunk_pass(|passes, chunk, workspace| passes.commit(chunk, taken, workspace));
@@ -204,7 +204,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
     /// The next step, s: no longer than any particle allows, nor than `most`. Collective.
     fn next_step(&mut self, reduced: &Reduced, most: f64) -> Result<f64, Failure> {
         let mut dt = reduced.limit.min(most);
-        // Otherwise nothing moves by as much as the limit of what closes allows.
+        // Otherwise no particle moves by as much as the limit of approaching matter allows.
         if reduced.speed * dt > self.settings.cfl * reduced.smallest {
             dt = dt.min(self.closing(reduced.speed));
         }
@@ -266,15 +266,15 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.pointers = chunks.into_pointers();
     }
 
-    /// What all threads have found since the last call.
+    /// The findings of all threads since the last call.
     pub(super) fn collect(&self) -> Findings {
         let mut found = Findings::nothing();
         self.workers.collect(|workspace| found.merge(workspace.take()));
         found
     }
 
-    /// One stage: pack, exchange, pair sums, rates, which the integrator takes; with all of it, where it is due, gravity for the steps to
-    /// come; and the reduction. Collective.
+    /// One stage: pack, exchange, pair sums, rates, which the integrator takes; overlapped with it, where it is due, gravity for
+    /// later steps; and the reduction. Collective.
     fn evaluate(&mut self, moment: &Moment, signal: u32) -> Result<Reduced, Failure> {
         let start = Instant::now();
         self.pack(moment.since);

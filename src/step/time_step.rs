@@ -1,20 +1,20 @@
-//! The time step: the smallest that any effect allows anywhere, and who asked for it.
+//! The time step: the smallest that any effect allows anywhere, and what limits it.
 //!
 //!   CFL            dt <= C h / (c + 0.6 (alpha c + beta |mu|))      Monaghan 1989 (J. Comp. Phys. 82, 1), eq. 4.9 with
 //!                                                                   the largest |mu| over approaching neighbours
 //!   acceleration   dt <= C sqrt(h / |a|)
-//!   closing        matter that is not in touch yet, see [`closing`](crate::domain::closing)
+//!   closing        approaching matter that is not in contact yet, see [`closing`](crate::domain::closing)
 //!
 //! and the limits of the material effects. Minima do not depend on order, so neither does the step.
 
 use crate::material::Viscosity;
 use crate::particles::ParticleId;
 
-/// Who limits the step.
+/// What limits the step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit {
     pub dt: f64,
-    /// 0 CFL, 1 acceleration, 2 damping by prescribed motion, 3 matter that closes on other matter, then the material effects in
+    /// 0 CFL, 1 acceleration, 2 damping by prescribed motion, 3 approaching matter, then the material effects in
     /// their order.
     pub reason: usize,
     pub id: ParticleId,
@@ -31,7 +31,7 @@ impl Limit {
 
     pub const NONE: Self = Self { dt: f64::INFINITY, reason: 0, id: ParticleId(u64::MAX), position: [0.0; 3] };
 
-    /// The tighter of two; equal ones are told apart by reason and particle, so that the log is the same for any ranks.
+    /// The tighter of two; equal ones are ordered by reason and particle, so that the log is the same for any ranks.
     pub fn tighter(self, other: Self) -> Self {
         let key = |l: &Self| (l.dt, l.reason, l.id);
         if key(&other) < key(&self) { other } else { self }

@@ -1,6 +1,6 @@
 //! The threads of one rank. Passes run over chunks of owned particles; each thread has one workspace that lives as long as
-//! the run, so that a step allocates nothing. Chunks write only to their own particles: how they fall on threads leaves no
-//! trace in the result.
+//! the run, so that a step allocates nothing. Chunks write only to their own particles: their distribution over threads does not
+//! change the result.
 
 use std::sync::Mutex;
 
@@ -49,7 +49,7 @@ impl<W: Send> Workers<W> {
     }
 }
 
-/// The cores this process may really run on: launchers pin ranks, and a pool larger than that only waits for itself.
+/// The cores this process may really run on: launchers pin ranks, and a pool larger than that only waits.
 fn affinity() -> libc::cpu_set_t {
     // SAFETY: `sched_getaffinity` fills the set it is given; where it fails the set stays empty.
     unsafe {
@@ -59,7 +59,7 @@ fn affinity() -> libc::cpu_set_t {
     }
 }
 
-/// How many they are.
+/// Number of cores this process may run on.
 pub fn usable_cores() -> usize {
     // SAFETY: counts the bits of a set.
     let count = unsafe { libc::CPU_COUNT(&affinity()) } as usize;

@@ -1,4 +1,4 @@
-//! What a thread needs for a chunk, and what it finds out on the way.
+//! Buffers of a thread for a chunk, and its findings.
 
 use std::cell::Cell;
 use std::time::{Duration, Instant};
@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use super::failure::{NonFinite, Watched};
 use super::integrator::StepError;
 use super::time_step::Limit;
-use crate::material::{MaterialEffect, Motion};
+use crate::material::{LocalFlow, MaterialEffect};
 use crate::math::Mat3;
 use crate::pair::RowSums;
 use crate::particles::chunk::CHUNK;
@@ -14,18 +14,18 @@ use crate::particles::{Rates, Registry};
 
 pub struct Workspace {
     pub sums: Vec<RowSums>,
-    /// Second moment of each row's neighbourhood is in the sums; this is what they say of its motion.
-    pub motion: Vec<Motion>,
+    /// Flow around each particle, from the sums of its row.
+    pub flow: Vec<LocalFlow>,
     pub bodies: Vec<u16>,
     pub rates: Rates,
     pub watched: Watched,
-    /// What was found since the last [`Workspace::take`].
+    /// Findings since the last [`Workspace::take`].
     pub found: Findings,
     /// Time spent in each effect so far.
     effects: Vec<Cell<Duration>>,
 }
 
-/// What the chunks of a pass have shown.
+/// Findings over the chunks of a pass.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Findings {
     /// Tightest limit of the next step.
@@ -60,10 +60,10 @@ impl Findings {
 
 impl Workspace {
     pub fn new(registry: &Registry, effects: usize) -> Self {
-        let motion = Motion { velocity_gradient: Mat3::zeros(), heating: 0.0 };
+        let flow = LocalFlow { velocity_gradient: Mat3::zeros(), heating: 0.0 };
         Self {
             sums: vec![RowSums::default(); CHUNK],
-            motion: vec![motion; CHUNK],
+            flow: vec![flow; CHUNK],
             bodies: vec![0; CHUNK],
             rates: Rates::new(registry),
             watched: Watched::new(registry),
@@ -72,12 +72,12 @@ impl Workspace {
         }
     }
 
-    /// What was found since the last call.
+    /// Findings since the last call.
     pub fn take(&mut self) -> Findings {
         std::mem::replace(&mut self.found, Findings::nothing())
     }
 
-    /// Calls every effect in its turn and notes the time that it took.
+    /// Calls every effect in order and records its time.
     pub fn each_effect(&self, effects: &[Box<dyn MaterialEffect>], mut act: impl FnMut(&dyn MaterialEffect)) {
         let mut start = Instant::now();
         for (effect, time) in effects.iter().zip(&self.effects) {

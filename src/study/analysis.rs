@@ -1,4 +1,4 @@
-//! What a study found, all of it: points with their errors and costs, orders and limits of settings, prices of errors. This
+//! The results of a study: points with their errors and costs, orders and limits of settings, costs of errors. This
 //! is study.json.
 
 use serde::{Deserialize, Serialize};
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::limit::{Limit, limit};
 use super::measure::{Against, Measure, Sample};
 use super::order::{Order, order};
-use super::pareto::{Price, Step, beyond, first_within, front, price};
+use super::pareto::{ErrorCost, Step, beyond, first_within, front, price};
 use super::points::Study;
 use super::record::Record;
 use super::settings::Change;
@@ -18,7 +18,7 @@ use crate::warning::{self, Warning};
 pub struct Analysis {
     pub title: String,
     pub version: String,
-    /// Its file.
+    /// File of the study.
     pub study: String,
     pub scene: BaseScene,
     pub measure: Measure,
@@ -27,7 +27,7 @@ pub struct Analysis {
     pub points: Vec<Found>,
     pub settings: Vec<Setting>,
     pub targets: Vec<Target>,
-    /// Where points are searches.
+    /// Thresholds, where points are searches.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub thresholds: Vec<thresholds::Row>,
 }
@@ -36,14 +36,14 @@ pub struct Analysis {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BaseScene {
     pub path: String,
-    /// `[study.set]`, as after `--set`: a part of the question, which is not for `--accuracy` to change.
+    /// `[study.set]`, as after `--set`: a part of the problem, which `--accuracy` does not change.
     pub set: Vec<String>,
-    /// Of the first point, hashed and in full: what a scene must give with that point's settings to be the same.
+    /// Identity of the first point, hashed and in full: a scene is the same if it gives this with that point's settings.
     pub identity: String,
     pub understood: String,
 }
 
-/// A point and what came of it.
+/// A point and its result.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Found {
     pub number: usize,
@@ -62,7 +62,7 @@ pub struct Found {
     pub pair_interactions: Option<f64>,
     pub core_seconds: Option<f64>,
     pub wall_seconds: Option<f64>,
-    /// Whether nothing else is both better and cheaper, by either cost.
+    /// Whether no other point is both better and cheaper, by either cost.
     pub on_front_of_core_seconds: bool,
     pub on_front_of_pairs: bool,
     pub state_hash: String,
@@ -75,11 +75,11 @@ pub struct Found {
 pub struct Setting {
     pub name: String,
     pub order: Option<Order>,
-    /// Of the figure at zero spacing.
+    /// Limit of the figure at zero spacing.
     pub limit: Option<Limit>,
 }
 
-/// What an error costs.
+/// The cost of an error.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Target {
     pub error: f64,
@@ -87,19 +87,19 @@ pub struct Target {
     pub by_pairs: Cheapest,
 }
 
-/// By one of the costs.
+/// The cheapest ways to an error by one of the costs.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Cheapest {
     /// Setting and price, where a setting reaches the error within the study.
     pub setting: Option<usize>,
-    pub price: Option<Price>,
+    pub price: Option<ErrorCost>,
     /// The cheapest run that has it.
     pub point: Option<usize>,
     /// Setting and price by extrapolation, where none reaches it and one is in its asymptotic range.
-    pub guess: Option<(usize, Price)>,
+    pub guess: Option<(usize, ErrorCost)>,
 }
 
-/// The costs, and how they are told.
+/// The measures of cost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cost {
     CoreSeconds,
@@ -133,7 +133,7 @@ impl Found {
 }
 
 impl Analysis {
-    /// Of all points, each kind once.
+    /// Warnings of all points, each kind once.
     pub fn warnings(&self) -> Vec<Warning> {
         warning::merged("point", self.points.iter().map(|point| (point.number, point.warnings.as_slice())))
     }
@@ -213,7 +213,7 @@ impl Analysis {
         let figures: Vec<_> =
             self.of_setting(number).filter_map(|point| Some((point.spacing, point.figure?))).collect();
         let (mut order, limit) = (order(&errors), limit(&figures));
-        // A straight line in logarithms ends at zero; where errors do not, its slope is no order.
+        // A straight line in logarithms ends at zero; where errors do not, its slope is not an order.
         let floor = limit.as_ref().filter(|limit| self.measure.against == Against::Exact && limit.order.is_some());
         if let (Some(order), Some(floor)) = (&mut order, floor.filter(|f| f.value.abs() > 2.0 * f.uncertainty))
             && order.doubt.is_empty()
@@ -257,7 +257,7 @@ impl Analysis {
         each.min_by(|a, b| a.1.cost.total_cmp(&b.1.cost)).map(|(point, _)| point)
     }
 
-    fn guess(&self, error: f64, cost: Cost) -> Option<(usize, Price)> {
+    fn guess(&self, error: f64, cost: Cost) -> Option<(usize, ErrorCost)> {
         let one = |(k, setting): (usize, &Setting)| {
             let order = setting.order.as_ref().filter(|order| order.doubt.is_empty())?;
             Some((k, beyond(&self.curve(k, cost).1, error, order.order)?))

@@ -1,11 +1,11 @@
-//! The points of a study with what each will cost, before any of them runs: the text of `--check`, and a plain list.
+//! The points of a study with their costs, before any of them runs: the text of `--check`, and a plain list.
 
 use std::fmt::Write;
 
 use super::points::Study;
 use crate::domain::comm::{Comm, Network};
 use crate::error::Result;
-use crate::forecast::cost::{self, Price};
+use crate::forecast::cost::{self, PredictedCost};
 use crate::output::text::{aligned, duration, number, words};
 use crate::simulation::warnings;
 use crate::warning::{self, Warning};
@@ -60,7 +60,7 @@ pub fn check(study: &Study, ranks: usize, network: Option<Network>, comm: &Comm)
     Ok(text + &cost::warned(&all))
 }
 
-fn row(names: &[&str], spacing: f64, price: &Price) -> Vec<String> {
+fn row(names: &[&str], spacing: f64, price: &PredictedCost) -> Vec<String> {
     let mut cells = words([names[0], names[1]]);
     cells.extend([
         number(spacing),

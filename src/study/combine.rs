@@ -1,4 +1,4 @@
-//! From values to settings: how they combine, and what a setting is called.
+//! From values to settings: their combinations and names.
 
 use toml::Value;
 
@@ -7,7 +7,7 @@ use super::settings::{Axis, Change, Combine, Settings};
 /// A setting: its name and what it changes.
 pub struct Setting {
     pub name: String,
-    /// The name of what is no radius of a body: settings that differ in these alone lie on one curve over the radius.
+    /// The name without radii of bodies: settings that differ in radii alone lie on one curve over the radius.
     pub family: String,
     pub changes: Vec<Change>,
 }
@@ -49,7 +49,7 @@ fn join(a: &str, b: &str) -> String {
 }
 
 /// A value in few words: `wendland_c2`, `eta 1.4`, `no corrected_gradient`; of [study.together.NAME] `labels`, where it has
-/// them. A key's last part stands for it where no other axis ends alike.
+/// them. A key is named by its last part where no other axis ends alike.
 fn name(axes: &[Axis], axis: usize, k: usize) -> String {
     if let Some(label) = axes[axis].labels.get(k) {
         return label.clone();
@@ -107,7 +107,7 @@ mod tests {
         let names = |combine| combined(&settings(combine)).into_iter().map(|setting| setting.name).collect::<Vec<_>>();
         let grid = names(Combine::Grid);
         assert_eq!(grid.len(), 4);
-        // The last part of a key names it only where no other ends alike.
+        // A key is named by its last part only where no other ends alike.
         assert_eq!(grid[0], "eta 1.2, no material.gas.viscosity, numerics.viscosity");
         assert_eq!(
             names(Combine::OneAtATime),

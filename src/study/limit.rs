@@ -3,8 +3,8 @@
 //!
 //! Uncertainty of f_0: with four spacings and more by leaving out one after another and fitting the rest (the jackknife,
 //! Efron and Stein 1981, Ann. Statist. 9, 586), which sees scatter and terms of higher order alike; with three, which any
-//! order fits, 1.25 times what was extrapolated (the grid convergence index, Roache 1994, J. Fluids Eng. 116, 405). Outside
-//! the asymptotic range nothing is extrapolated: the finest run's figure stands, as uncertain as figures differ.
+//! order fits, 1.25 times the extrapolated difference (the grid convergence index, Roache 1994, J. Fluids Eng. 116, 405). Outside
+//! the asymptotic range nothing is extrapolated: the finest run's figure is used, as uncertain as figures differ.
 
 use serde::{Deserialize, Serialize};
 
@@ -15,7 +15,7 @@ pub struct Limit {
     pub uncertainty: f64,
     /// p; none where nothing was extrapolated.
     pub order: Option<f64>,
-    /// Why it is no more than a guess; empty where figures converge as they should.
+    /// Why it is only a guess; empty where figures converge as they should.
     pub doubt: String,
 }
 
@@ -26,7 +26,7 @@ const SCANNED: usize = 120;
 const TOLERANCE: f64 = 0.5;
 const SAFETY: f64 = 1.25;
 
-/// f_0 and p with the sum of squares that is left.
+/// f_0 and p with the residual sum of squares.
 #[derive(Debug, Clone, Copy)]
 struct Fit {
     value: f64,
@@ -34,7 +34,7 @@ struct Fit {
     rest: f64,
 }
 
-/// Of (spacing, figure) from coarse to fine; none for fewer than three spacings.
+/// The limit of (spacing, figure) from coarse to fine; `None` for fewer than three spacings.
 pub fn limit(points: &[(f64, f64)]) -> Option<Limit> {
     let &[first, .., last] = points else { return None };
     if points.len() < 3 || points.windows(2).any(|pair| pair[1].0 >= pair[0].0) {
@@ -135,7 +135,7 @@ mod tests {
     fn the_uncertainty_holds_the_truth() {
         let second = of(&SPACINGS, |h| 1.0 + h + 4.0 * h * h);
         assert!((second.value - 1.0).abs() < 2.0 * second.uncertainty && second.uncertainty < 0.02, "{second:?}");
-        // Of scattered figures most, as one should have it of five points.
+        // Most of the scattered cases, as to be expected of five points.
         let scattered = |k: i32| of(&SPACINGS, |h| 1.0 + h + 2e-4 * (1e4 * h + k as f64).sin());
         let held = (0..40).map(scattered).filter(|found| (found.value - 1.0).abs() < 2.0 * found.uncertainty).count();
         assert!((32..40).contains(&held), "{held} of 40");

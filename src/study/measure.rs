@@ -1,4 +1,4 @@
-//! What counts as the error of a run: a figure of its summary and what it is held against.
+//! The error of a run: a figure of its summary and its reference.
 
 use serde::{Deserialize, Serialize};
 
@@ -17,13 +17,13 @@ pub enum Against {
     Exact,
     /// A value from elsewhere, SI, and how uncertain it is.
     Value { value: f64, uncertainty: f64 },
-    /// The same figure of the run of the smallest spacing; among several, of the most pair interactions.
+    /// The figure of the run with the smallest spacing; among several, with the most pair interactions.
     Finest,
-    /// Nothing: the figure is what the study wants to know.
+    /// No reference: the figure itself is the result.
     Nothing,
 }
 
-/// Of a finished run, what its error depends on.
+/// The values of a finished run on which its error depends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
     pub figure: f64,
@@ -33,7 +33,7 @@ pub struct Sample {
 }
 
 impl Measure {
-    /// Relative error of each run; none of one that failed, nor of the one that the others are held against.
+    /// Relative error of each run; `None` for one that failed, and for the reference.
     pub fn errors(&self, runs: &[Option<Sample>]) -> Vec<Option<f64>> {
         let finest = self.finest(runs);
         let error = |(k, run): (usize, &Option<Sample>)| {
@@ -50,7 +50,7 @@ impl Measure {
         runs.iter().enumerate().map(error).collect()
     }
 
-    /// The run that the others are held against, where one is.
+    /// The run that is the reference of the others, where one is.
     pub fn finest(&self, runs: &[Option<Sample>]) -> Option<usize> {
         let there = runs.iter().enumerate().filter_map(|(k, run)| Some((k, (*run)?)));
         let order = |a: &Sample, b: &Sample| {
@@ -62,7 +62,7 @@ impl Measure {
         }
     }
 
-    /// The relative error below which nothing can be told.
+    /// The relative error below which the reference is too uncertain.
     pub fn floor(&self) -> f64 {
         match self.against {
             Against::Value { value, uncertainty } => uncertainty / value.abs(),
@@ -70,7 +70,7 @@ impl Measure {
         }
     }
 
-    /// In words.
+    /// The measure in words.
     pub fn describe(&self) -> String {
         match self.against {
             Against::Exact => format!("{} against the exact solution", self.figure),

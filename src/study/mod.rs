@@ -1,8 +1,8 @@
-//! Studies: what accuracy costs. A file with a `[study]` table names a scene, what is varied of it, and what counts as its
-//! error. Every setting is run at every resolution; out come a table, figures of error against cost with the Pareto front,
+//! Studies: the cost of accuracy. A file with a `[study]` table names a scene, what is varied of it, and the measure of its
+//! error. Every setting is run at every resolution; the results are a table, figures of error against cost with the Pareto front,
 //! orders of convergence, figures at zero spacing, and the cheapest setting for a given error. `--accuracy` later takes the
-//! setting of a run from there. Where the scene has a `[threshold]`, each point is a search, and out come its table and Q*_D over
-//! the target's radius.
+//! setting of a run from there. Where the scene has a `[threshold]`, each point is a search, and the results are its table and Q*_D
+//! over the target's radius.
 
 pub mod analysis;
 pub mod check;

@@ -11,7 +11,7 @@ const TOLERANCE: f64 = 0.25;
 pub struct Order {
     /// p
     pub order: f64,
-    /// Of p; none for two spacings, which any line fits.
+    /// Standard error of p; `None` for two spacings, which any line fits.
     pub standard_error: Option<f64>,
     /// ln C, spacings in m.
     pub ln_coefficient: f64,
@@ -45,7 +45,7 @@ pub fn line(points: &[(f64, f64)]) -> Option<Line> {
     Some(Line { slope, standard_error, intercept })
 }
 
-/// Of (spacing, error) from coarse to fine; none for fewer than two spacings. Errors of zero tell no order.
+/// The order of (spacing, error) from coarse to fine; `None` for fewer than two spacings. Errors of zero give no order.
 pub fn order(points: &[(f64, f64)]) -> Option<Order> {
     let logs: Vec<(f64, f64)> =
         points.iter().filter(|p| p.0 > 0.0 && p.1 > 0.0).map(|p| (libm::log(p.0), libm::log(p.1))).collect();
@@ -85,7 +85,7 @@ mod tests {
         assert!(found.standard_error.unwrap() < 1e-12 && found.doubt.is_empty());
     }
 
-    /// Scatter of +-10 % in turn: the standard error holds the truth.
+    /// Alternating scatter of +-10 %: the true order is within the standard error.
     #[test]
     fn scatter_widens_the_standard_error() {
         let found = of(|h| h * (1.0 + 0.1 * (h.log2() * std::f64::consts::PI).cos()));

@@ -1,11 +1,11 @@
-//! The Pareto front: what nothing else beats in both cost and error. And what an error costs: curves of one setting from
-//! coarse to fine, read between their points by straight lines in logarithms.
+//! The Pareto front: points that no other beats in both cost and error. And the cost of an error: curves of one setting from
+//! coarse to fine, interpolated by straight lines in logarithms.
 
 use serde::{Deserialize, Serialize};
 
 use super::order::line;
 
-/// Points that no other beats, from cheap to dear. `points` are (cost, error); one that is missing beats nothing.
+/// Points that no other beats, from cheap to expensive. `points` are (cost, error); one that is missing beats nothing.
 pub fn front(points: &[Option<(f64, f64)>]) -> Vec<usize> {
     let mut order: Vec<(usize, f64, f64)> =
         points.iter().enumerate().filter_map(|(k, point)| point.map(|(cost, error)| (k, cost, error))).collect();
@@ -40,40 +40,41 @@ pub enum Known {
     Extrapolated,
 }
 
-/// What an error costs with one setting.
+/// The cost of an error with one setting.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Price {
+pub struct ErrorCost {
     pub cost: f64,
     /// m
     pub spacing: f64,
     pub known: Known,
 }
 
-/// The step of `curve` (coarse to fine) from which on every error is within `target`. One that is so by chance, with finer
-/// ones above it, does not count.
+/// The step of `curve` (coarse to fine) from which on every error is within `target`. A step that is so by chance, with finer
+/// ones above the target, does not count.
 pub fn first_within(curve: &[Step], target: f64) -> Option<usize> {
     let beyond = curve.iter().rposition(|step| step.error > target).map_or(0, |k| k + 1);
     (beyond < curve.len()).then_some(beyond)
 }
 
 /// The least cost at which `curve` (coarse to fine) stays within `target`; none where its finest run does not.
-pub fn price(curve: &[Step], target: f64) -> Option<Price> {
+pub fn price(curve: &[Step], target: f64) -> Option<ErrorCost> {
     let k = first_within(curve, target)?;
     let fine = curve[k];
     let Some(coarse) = k.checked_sub(1).map(|before| curve[before]).filter(|_| fine.error > 0.0) else {
-        return Some(Price { cost: fine.cost, spacing: fine.spacing, known: Known::Measured });
+        return Some(ErrorCost { cost: fine.cost, spacing: fine.spacing, known: Known::Measured });
     };
     let part = libm::log(coarse.error / target) / libm::log(coarse.error / fine.error);
     let between = |a: f64, b: f64| a * libm::pow(b / a, part);
-    Some(Price {
+    Some(ErrorCost {
         cost: between(coarse.cost, fine.cost),
         spacing: between(coarse.spacing, fine.spacing),
         known: Known::Interpolated,
     })
 }
 
-/// The same beyond the finest run, by straight lines through all: error over spacing of this `order`, cost over spacing.
-pub fn beyond(curve: &[Step], target: f64, order: f64) -> Option<Price> {
+/// The cost by extrapolation beyond the finest run, by straight lines through all: error over spacing of this `order`, cost over
+/// spacing.
+pub fn beyond(curve: &[Step], target: f64, order: f64) -> Option<ErrorCost> {
     let finest = curve.last()?;
     let logs: Vec<(f64, f64)> = curve.iter().map(|s| (libm::log(s.spacing), libm::log(s.cost))).collect();
     let slope = line(&logs)?.slope;
@@ -82,7 +83,7 @@ pub fn beyond(curve: &[Step], target: f64, order: f64) -> Option<Price> {
     }
     let ratio = libm::pow(target / finest.error, 1.0 / order);
     let cost = finest.cost * libm::pow(ratio, slope);
-    Some(Price { cost, spacing: finest.spacing * ratio, known: Known::Extrapolated })
+    Some(ErrorCost { cost, spacing: finest.spacing * ratio, known: Known::Extrapolated })
 }
 
 #[cfg(test)]
@@ -115,7 +116,7 @@ mod tests {
         assert!(beyond(&curve(), 0.001, -1.0).is_none() && beyond(&curve()[..1], 0.001, 1.0).is_none());
     }
 
-    /// An error that happens to pass through zero is no accuracy.
+    /// An error that happens to pass through zero does not count.
     #[test]
     fn luck_does_not_count() {
         let mut lucky = curve();

@@ -14,7 +14,7 @@ use crate::scene::answer::identity;
 use crate::scene::source::{Document, SourceText};
 use crate::simulation::require;
 
-/// Texts of a study and of its scene. Reading them is for one rank; what comes of them is the same on all.
+/// Texts of a study and of its scene. Read by one rank; the result is the same on all.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Sources {
     pub study: SourceText,
@@ -23,20 +23,20 @@ pub struct Sources {
 
 /// Pictures of each run would cost as much as small runs themselves.
 const NO_PICTURES: &str = "output.picture=false";
-/// More runs than anybody means to make.
+/// Largest number of runs; more are a mistake.
 const MOST_POINTS: usize = 10_000;
 
 /// A study, ready to run.
 #[derive(Debug, Clone)]
 pub struct Study {
     pub settings: Settings,
-    /// Of the study's file.
+    /// Path of the study's file.
     pub path: String,
-    /// Of the scene's file.
+    /// Path of the scene's file.
     pub scene_path: String,
     /// Names of the settings, in the order of their numbers.
     pub names: Vec<String>,
-    /// The body whose spacing says what the resolution is; none where none of it is varied.
+    /// The body whose spacing is the resolution; `None` where no spacing is varied.
     pub spacing_of: Option<String>,
     /// Setting after setting, each from coarse to fine.
     pub points: Vec<Point>,
@@ -48,7 +48,7 @@ pub struct Point {
     /// From 1.
     pub number: usize,
     pub setting: usize,
-    /// The setting's name without the radii of bodies: what a curve over the radius is called.
+    /// The setting's name without the radii of bodies: the name of a curve over the radius.
     pub family: String,
     /// What is varied, as after `--set`; `[study.set]` comes before it.
     pub overrides: Vec<String>,
@@ -98,7 +98,7 @@ fn without_detours(path: &Path) -> PathBuf {
     plain
 }
 
-/// Refuses more runs than anybody means to make, before any of them is looked at.
+/// Refuses too many runs, before any of them is read.
 fn require_few(document: &Document, settings: &Settings) -> Result<()> {
     let runs = settings.runs();
     if runs <= MOST_POINTS as f64 {
@@ -145,7 +145,7 @@ impl Study {
         })
     }
 
-    /// Takes a setting up, unless it is an earlier one by another name: a value may be that which the scene has.
+    /// Adds a setting, unless it is an earlier one by another name: a value may be that of the scene.
     fn add(&mut self, name: String, family: String, points: Vec<(Scene, Vec<String>)>) {
         let identities: Vec<String> = points.iter().map(|(scene, _)| identity(scene)).collect();
         let same = |number: usize| {
@@ -188,7 +188,7 @@ impl Study {
     }
 }
 
-/// Reads scenes, and says of what is wrong with them where the study's file has it.
+/// Reads scenes, and places their errors in the study's file.
 struct Reader<'a> {
     document: &'a Document<'a>,
     sources: &'a Sources,
@@ -204,7 +204,7 @@ impl Reader<'_> {
         scene.and_then(|scene| require(&scene).map(|()| scene)).map_err(|e| self.placed(e, changes))
     }
 
-    /// An error that names an override is placed at the key it came from; any other is told with the point it came up in.
+    /// An error that names an override is placed at the key it came from; any other is reported with its point.
     fn placed(&self, error: Error, changes: &[&Change]) -> Error {
         let set = error.place.strip_prefix("--set ");
         if let Some(change) = changes.iter().find(|change| set == Some(&change.text())) {
@@ -227,7 +227,7 @@ impl Reader<'_> {
         if self.settings.measure.figure.starts_with("threshold.") && base.threshold.is_none() {
             return Err(self
                 .document
-                .error("study", "nothing says what the error of a run is")
+                .error("study", "the error of a run is not defined")
                 .allowed("error = ..., or a [threshold] in the scene: then each point is a search"));
         }
         if self.settings.measure.against == Against::Exact && base.compare.is_none() {
@@ -318,7 +318,7 @@ mod tests {
             "combine = \"one_at_a_time\"\n[study.vary]\nnumerics.eta = [1.2, 1.4]\nnumerics.artificial_stress = [true]\n",
         )
         .unwrap();
-        // eta 1.4 is what the scene has.
+        // eta 1.4 is that of the scene.
         assert_eq!(study.names, ["as the scene", "eta 1.2", "artificial_stress"]);
         assert_eq!(study.points[0].scene.numerics.eta, 1.4);
     }

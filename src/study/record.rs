@@ -1,5 +1,5 @@
-//! A point's result on disk, in its own folder: tasks of a job array write side by side, and a study that was interrupted
-//! goes on where it was.
+//! A point's result on disk, in its own folder: tasks of a job array write side by side, and an interrupted study
+//! continues from there.
 
 use std::path::{Path, PathBuf};
 
@@ -13,10 +13,10 @@ use crate::output::publish::replace_text;
 use crate::output::{Summary, agree, on_root};
 use crate::warning::Warning;
 
-/// What came of a point.
+/// The result of a point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Record {
-    /// Of the scene that was run.
+    /// Identity of the scene that was run.
     pub identity: String,
     /// Why it failed; empty where it did not.
     pub failed: String,
@@ -69,7 +69,7 @@ fn file(directory: &Path, point: &Point) -> PathBuf {
     directory.join(point.folder()).join("point.json")
 }
 
-/// What came of every point so far, on every rank. Collective.
+/// The results of all points so far, on every rank. Collective.
 pub fn read(study: &Study, directory: &Path, comm: &Comm) -> Result<Vec<Option<Record>>> {
     let read = || study.points.iter().map(|point| read_one(directory, point)).collect::<Result<Vec<_>>>();
     let mine = if comm.is_root() { read() } else { Ok(Vec::new()) };
@@ -87,7 +87,7 @@ fn read_one(directory: &Path, point: &Point) -> Result<Option<Record>> {
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
         Err(e) => return Err(place(e.to_string())),
     };
-    // A run that has ended is not run again: its folder has what it found.
+    // A run that has ended is not run again: its folder has its results.
     let Ok(record) = serde_json::from_str::<Record>(&text) else {
         tracing::warn!("{} is damaged: the point counts as not run", path.display());
         return Ok(None);

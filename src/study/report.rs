@@ -1,10 +1,10 @@
-//! A study on paper: study.json, study.csv, study.md, two figures, and its result in words.
+//! The report of a study: study.json, study.csv, study.md, two figures, and its result in words.
 
 use std::fmt::Write;
 use std::path::Path;
 
 use super::analysis::{Analysis, Cheapest, Cost, Found, Setting};
-use super::pareto::{Known, Price};
+use super::pareto::{ErrorCost, Known};
 use super::thresholds;
 use crate::error::{Error, Result};
 use crate::output::figures::or_warn;
@@ -37,7 +37,7 @@ fn converges(setting: &Setting) -> bool {
     setting.order.is_some() || setting.limit.is_some()
 }
 
-/// Rank 0 speaks.
+/// Logs the result, on rank 0.
 pub fn print(analysis: &Analysis, directory: &Path, is_root: bool) {
     for setting in analysis.settings.iter().filter(|setting| converges(setting)) {
         tracing::info!("{}: {}", setting.name, convergence(setting));
@@ -50,7 +50,7 @@ pub fn print(analysis: &Analysis, directory: &Path, is_root: bool) {
         tracing::info!("{failed} of {} points have no result; study.md says why", analysis.points.len());
     }
     let warnings = analysis.warnings();
-    warning::say(&warnings, is_root);
+    warning::log(&warnings, is_root);
     tracing::info!("written to {}{}", directory.display(), warning::in_short(&warnings));
 }
 
@@ -86,7 +86,7 @@ fn table(analysis: &Analysis) -> String {
     text
 }
 
-/// The same to be read, with what follows from it.
+/// study.md: the table for readers, with orders, limits and costs.
 fn page(analysis: &Analysis) -> String {
     let mut text = String::new();
     let title = if analysis.title.is_empty() { &analysis.study } else { &analysis.title };
@@ -106,7 +106,7 @@ fn page(analysis: &Analysis) -> String {
     if has_errors(analysis) {
         let _ = writeln!(
             text,
-            "\nPareto: nothing else is both better and cheaper, by core-seconds (s) or by pair interactions (p).\n\n\
+            "\nPareto: no other point is both better and cheaper, by core-seconds (s) or by pair interactions (p).\n\n\
              ![Error against core-seconds](error_core_seconds.png)\n\n![Error against pair interactions](error_pairs.png)"
         );
     }
@@ -126,7 +126,7 @@ fn page(analysis: &Analysis) -> String {
     let floor = analysis.measure.floor();
     if floor > 0.0 {
         let _ =
-            writeln!(text, "\nThe value itself is uncertain by {}: errors below that tell nothing.", percent(floor));
+            writeln!(text, "\nThe value itself is uncertain by {}: errors below that are meaningless.", percent(floor));
     }
     for warning in analysis.warnings() {
         let _ = writeln!(text, "\nWarning ({}): {}", warning.kind, warning.text);
@@ -199,12 +199,12 @@ fn prices(analysis: &Analysis) -> Vec<String> {
 
 fn cheapest_words(analysis: &Analysis, cost: Cost, cheapest: &Cheapest) -> String {
     let name = |setting: usize| &analysis.settings[setting].name;
-    let how = |price: &Price| match price.known {
-        Known::Measured => "by its coarsest run, which does not tell how much less would do",
+    let how = |price: &ErrorCost| match price.known {
+        Known::Measured => "by its coarsest run; a coarser one might do",
         Known::Interpolated => "interpolated between its runs",
         Known::Extrapolated => "an extrapolation beyond its finest run",
     };
-    let words = |setting: usize, price: &Price| {
+    let words = |setting: usize, price: &ErrorCost| {
         format!(
             "{} at spacing {:.3e} m, {:.3e} {}, {}",
             name(setting),

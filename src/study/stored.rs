@@ -1,4 +1,4 @@
-//! Studies that were made before, and the setting that one of them chooses for an accuracy. Kept studies lie in
+//! Stored studies, and the setting that one of them chooses for an accuracy. Kept studies lie in
 //! `inputs/studies/NAME.study.json`, copies of the study.json of a run; those in `runs/` come after them, newest first.
 
 use std::path::{Path, PathBuf};
@@ -22,7 +22,7 @@ pub fn choose(scene: &Scene, accuracy: f64) -> Result<Accuracy> {
     let mut changed = Vec::new();
     let mut unable = Vec::new();
     for path in files() {
-        // What cannot be read is no study of this program.
+        // A file that cannot be read is not a study of this program.
         let text = std::fs::read_to_string(&path).unwrap_or_default();
         let Ok(study) = serde_json::from_str::<Analysis>(&text) else { continue };
         match same_scene(scene, &study) {
@@ -64,8 +64,8 @@ fn chosen(study: &Analysis, path: &Path, accuracy: f64) -> Option<Accuracy> {
     })
 }
 
-/// Whether the study is of this scene: with what the study's first point varies, both must be the same, `[study.set]` included. An error that
-/// names the first difference, where the study is of a scene of that name.
+/// Whether the study is of this scene: with the overrides of the study's first point, both must be the same, `[study.set]`
+/// included. An error that names the first difference, where the study is of a scene of that name.
 fn same_scene(scene: &Scene, study: &Analysis) -> std::result::Result<bool, String> {
     let Some(first) = study.points.first() else { return Ok(false) };
     let choice = |overrides: &[String]| scene.reread(overrides);
@@ -105,20 +105,20 @@ fn refusal(scene: &Scene, accuracy: f64, changed: &[String], unable: &[(PathBuf,
         Error::new(format!("the scene has changed since it was studied: {first}"))
             .allowed("the scene as it was, or a new study of it")
     } else {
-        let what = "no study of this scene is stored, which --accuracy would choose the setting from";
+        let what = "no study of this scene is stored, from which --accuracy could choose the setting";
         Error::new(what).allowed(format!("{KEPT}/NAME.study.json, or {RUNS}/NAME/study.json as a study writes it"))
     };
     error.at(scene.path())
 }
 
-/// The largest error of a point and of those finer than it, which is no less than what the study can tell.
+/// The largest error of a point and of those finer than it, no less than the uncertainty of the study.
 fn stays_within(study: &Analysis, number: usize) -> Option<f64> {
     let point = &study.points[number - 1];
     let finer = study.of_setting(point.setting).filter(|other| other.spacing <= point.spacing);
     point.error.map(|error| finer.filter_map(|other| other.error).fold(error.max(study.measure.floor()), f64::max))
 }
 
-/// Every file that may hold a study, in the order in which they are asked.
+/// Every file that may hold a study, in the order in which they are tried.
 fn files() -> Vec<PathBuf> {
     let entries = |folder: &str| std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     let mut kept: Vec<PathBuf> = entries(KEPT).filter(|path| path.to_string_lossy().ends_with(".study.json")).collect();

@@ -13,18 +13,18 @@ use crate::scene::{Until, keys};
 use crate::simulation::{self, Ended, Options};
 use crate::threshold::search;
 
-/// What to do of a study.
+/// Which part of a study to run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
     /// Every point that has no result yet, then tables and figures.
     All,
     /// One point, numbered from 1; nothing more.
     Task(usize),
-    /// Tables and figures from what there is.
+    /// Tables and figures from the existing results.
     Collect,
 }
 
-/// Runs a part of the study, or goes on with it. Collective.
+/// Runs a part of the study, or continues it. Collective.
 pub fn run(study: &Study, part: Part, options: &Options, comm: &Comm) -> Result<Ended> {
     let mut sweep = Sweep { study, options, comm, records: record::read(study, &options.directory, comm)? };
     match part {
@@ -55,7 +55,7 @@ pub fn run(study: &Study, part: Part, options: &Options, comm: &Comm) -> Result<
     Ok(Ended::Finished)
 }
 
-/// Makes the run of a point, or its search; none where it was interrupted. Collective.
+/// Makes the run of a point, or its search; `None` where it was interrupted. Collective.
 fn make(point: &Point, options: &Options, comm: &Comm) -> Result<Option<Summary>> {
     if point.scene.threshold.is_some() {
         return match search::run(&point.scene, options, comm)? {
@@ -75,8 +75,8 @@ fn with_threshold(summary: Summary) -> Result<Summary> {
     }
 }
 
-/// A run that `run.steps` or `run.max_time` ends answers another question. They are how a study gets past a setting with
-/// which time hardly moves.
+/// A run that `run.steps` or `run.max_time` ends has no valid result. They limit the cost of a setting whose time steps
+/// are tiny.
 fn to_its_end(point: &Point, summary: Summary) -> Result<Summary> {
     match point.scene.run.until {
         Until::Time(end) if summary.time < (1.0 - 1e-9) * end => {
@@ -95,7 +95,7 @@ struct Sweep<'a> {
 }
 
 impl Sweep<'_> {
-    /// Runs a point and records what came of it, unless that is known. Collective.
+    /// Runs a point and records its result, unless that is known. Collective.
     fn run(&mut self, point: &Point) -> Result<Ended> {
         let (study, comm, number) = (self.study, self.comm, point.number);
         let what = format!("point {number} of {}: {}", study.points.len(), study.names[point.setting]);
@@ -126,7 +126,7 @@ impl Sweep<'_> {
         Ok(Ended::Finished)
     }
 
-    /// Writes tables and figures from what there is. Collective.
+    /// Writes tables and figures from the existing results. Collective.
     fn report(&self) -> Result<Analysis> {
         let analysis = Analysis::new(self.study, &self.records);
         let write = || report::write(&analysis, &self.options.directory);
@@ -134,7 +134,7 @@ impl Sweep<'_> {
         Ok(analysis)
     }
 
-    /// A figure that runs do not have is found with the first of them.
+    /// Refuses a figure that the first finished run does not have.
     fn check_figure(&self) -> Result<()> {
         let name = &self.study.settings.measure.figure;
         let mut done = self.records.iter().flatten().filter(|record| record.failed.is_empty());
@@ -148,7 +148,7 @@ impl Sweep<'_> {
         Err(error.at(format!("{}: study.error", self.study.path)).bad_input())
     }
 
-    /// What the study says itself goes to its own log.
+    /// Directs messages of the study itself to its own log.
     fn log_here(&self) -> Result<()> {
         agree(self.comm, log::to_file(&self.options.directory.join("log.txt"), true, self.comm.is_root()))
     }

@@ -10,24 +10,24 @@ use super::record::Record;
 use crate::outcome::scaling::{self, ThresholdFit};
 use crate::output::figures::curves::{Axis, Figure, Mark, Series};
 
-/// What one search has found. Specific energies in J/kg.
+/// The result of one search. Specific energies in J/kg.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     pub point: usize,
     /// The setting without its radius.
     pub family: String,
-    /// Of the target, m.
+    /// Radius of the target, m.
     pub radius: f64,
-    /// Of impact, m/s.
+    /// Speed of impact, m/s.
     pub speed: f64,
-    /// Of the target without pores, kg/m^3.
+    /// Density of the target without pores, kg/m^3.
     pub density: f64,
     pub porous: bool,
     pub particles: f64,
     pub q_star_d: Option<f64>,
     pub uncertainty: Option<f64>,
     pub q_star_rd: Option<f64>,
-    /// Over the fit of Benz & Asphaug 1999 for the nearest material and speed.
+    /// Q*_D over the fit of Benz & Asphaug 1999 for the nearest material and speed.
     pub ratio_to_reference: Option<f64>,
     /// s of M_lr / M_T = 1/2 - s (Q / Q*_D - 1).
     pub slope: Option<f64>,
@@ -66,7 +66,7 @@ fn row(point: &Point, record: &Record) -> Option<Row> {
     })
 }
 
-/// Markdown.
+/// The rows as a Markdown table.
 pub fn table(rows: &[Row]) -> String {
     let mut text = String::from(
         "| point | target | radius (m) | speed (m/s) | particles | Q*_D (J/kg) | ± | over Benz & Asphaug 1999 | slope s | Q*_RD (J/kg) | energy drift | core-s |\n\
@@ -96,7 +96,7 @@ pub fn table(rows: &[Row]) -> String {
     text
 }
 
-/// Q*_D over the radius: a series of points for each family, lines for the laws that belong to what was searched.
+/// Q*_D over the radius: a series of points for each family, lines for the laws of the same materials and speeds.
 pub fn figure(title: &str, rows: &[Row]) -> Figure {
     let sizes = rows.iter().map(|row| row.radius);
     let (least, most) = sizes.fold((f64::INFINITY, 0.0f64), |(a, b), radius| (a.min(radius), b.max(radius)));
@@ -147,7 +147,7 @@ fn is_rock(row: &Row) -> bool {
     !scaling::is_ice(row.density)
 }
 
-/// Fits of Q*_D for the materials and speeds there are.
+/// Fits of Q*_D for the materials and speeds of the rows.
 fn fits(rows: &[Row]) -> Vec<(String, ThresholdFit)> {
     let mut found: Vec<(String, ThresholdFit)> = Vec::new();
     let mut add = |name: &str, fit: ThresholdFit| {

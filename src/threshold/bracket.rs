@@ -1,5 +1,5 @@
-//! The search for a threshold: which impact comes next. Impacts are points (Q, M_lr / M); the threshold is where the
-//! remnant's share falls through one half. Works in log Q, bears scatter, and knows no physics but that harder impacts
+//! The search for a threshold: chooses the next impact. Impacts are points (Q, M_lr / M); the threshold is where the
+//! remnant's share falls through one half. Works in log Q, tolerates scatter, and assumes only that harder impacts
 //! leave less.
 
 use serde::{Deserialize, Serialize};
@@ -14,11 +14,11 @@ pub struct Point {
     pub q: f64,
     /// The largest remnant's share of that mass when the impact had settled: this one counts.
     pub remnant: f64,
-    /// The same at twice that time.
+    /// The largest remnant's share at twice that time.
     pub remnant_later: f64,
 }
 
-/// What the search may do.
+/// Limits of the search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rules {
     /// Q of the first impact, J/kg.
@@ -30,7 +30,7 @@ pub struct Rules {
     pub range: [f64; 2],
 }
 
-/// What to do after the impacts so far.
+/// The next action after the impacts so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Next {
     /// Run an impact at this Q, J/kg.
@@ -42,7 +42,7 @@ pub enum Next {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum End {
-    /// The bracket is as narrow as asked for.
+    /// The bracket is as narrow as requested.
     Converged,
     /// As many impacts as allowed, with a bracket that is still wider.
     OutOfImpacts,
@@ -125,12 +125,12 @@ fn reach_out(points: &[Point], rules: &Rules) -> Next {
     let by_q = |a: &&Point, b: &&Point| a.q.total_cmp(&b.q);
     let nearest = if is_above { points.iter().max_by(by_q) } else { points.iter().min_by(by_q) }.unwrap_or(last);
     let (end, limit) = if is_above { (End::NeverDisrupted, most) } else { (End::AlwaysDisrupted, least) };
-    // Q goes through the projectile's radius and comes back rounded.
+    // Q is converted to the projectile's radius and back, with rounding.
     if points.len() >= rules.max_impacts || (nearest.q / limit - 1.0).abs() < 1e-9 {
         return Next::Done(end);
     }
     let law = HALF / (1.0 - nearest.remnant).max(1e-3);
-    // A remnant of a few per cent no longer tells how far beyond the threshold the impact was.
+    // A remnant of a few per cent no longer shows how far beyond the threshold the impact was.
     let factor = match nearest.remnant {
         share if share >= HALF => (1.15 * law).clamp(1.25, 4.0),
         share if share > 0.1 => (law / 1.15).clamp(0.25, 0.8),
@@ -139,7 +139,7 @@ fn reach_out(points: &[Point], rules: &Rules) -> Next {
     Next::Impact((nearest.q * factor).clamp(least, most))
 }
 
-/// Within a bracket: just beyond where the threshold is expected, seen from the nearer end, so that the farther end comes
+/// Within a bracket: just beyond where the threshold is expected, seen from the nearer end, so that the farther end moves
 /// close; but the middle (of log Q) where the last two impacts together have not halved the bracket.
 fn inside(points: &[Point], bracket: &Bracket, tolerance: f64) -> f64 {
     let width = |b: &Bracket| libm::log(b.high / b.low);
@@ -150,7 +150,7 @@ fn inside(points: &[Point], bracket: &Bracket, tolerance: f64) -> f64 {
     let step = 1.0 + 0.4 * tolerance;
     let nearer_to_low = bracket.crossing * bracket.crossing < bracket.low * bracket.high;
     let beyond = if nearer_to_low { bracket.crossing * step } else { bracket.crossing / step };
-    // Never so close to an end that nothing could be learnt.
+    // Never so close to an end that the impact would add no information.
     let margin = libm::pow(bracket.high / bracket.low, 0.1);
     beyond.clamp(bracket.low * margin, bracket.high / margin)
 }

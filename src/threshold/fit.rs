@@ -1,4 +1,4 @@
-//! From impacts to a threshold and how far to trust it. Near the threshold the largest remnant follows
+//! The threshold and its uncertainty from impacts. Near the threshold the largest remnant follows
 //! M_lr / M = 1/2 - s (Q / Q* - 1) (Benz and Asphaug 1999), a straight line in Q; it is put through all impacts that
 //! left between 0.1 and 0.9 by least squares. Shares far from one half bend away from the line: impacts count the less
 //! the farther they are, with the tricube weights of local regression (Cleveland 1979), zero at 0.1 and 0.9.
@@ -35,19 +35,19 @@ pub struct Uncertainty {
     pub bracket: f64,
     /// Standard error of the fitted crossing.
     pub residual: f64,
-    /// Between the two times of evaluation.
+    /// Shift of the crossing between the two times of evaluation.
     pub shift: f64,
     /// Root of the sum of squares.
     pub combined: f64,
 }
 
-/// The threshold that impacts show; none while they do not bracket it.
+/// The threshold by these impacts; `None` while they do not bracket it.
 pub fn threshold(points: &[Point]) -> Option<Threshold> {
     let now: Vec<(f64, f64)> = points.iter().map(|p| (p.q, p.remnant)).collect();
     let later: Vec<(f64, f64)> = points.iter().map(|p| (p.q, p.remnant_later)).collect();
     let bracket = Bracket::of(&now)?;
     let crossing = Crossing::of(&now, &bracket);
-    // At the later time the bracket may have moved off the impacts; the law still tells where to.
+    // At the later time the bracket may have moved off the impacts; the law still gives the crossing.
     let later_bracket = Bracket::of(&later).unwrap_or(bracket);
     let shift = (Crossing::of(&later, &later_bracket).q - crossing.q).abs();
     let half_width = 0.5 * (bracket.high - bracket.low);
@@ -121,7 +121,7 @@ struct Line {
 }
 
 impl Line {
-    /// None unless the points tell that shares fall.
+    /// `None` unless shares fall significantly.
     fn through(points: &[(f64, f64)]) -> Option<Self> {
         let sum =
             |f: &dyn Fn(f64, f64) -> f64| points.iter().map(|&(q, share)| weight(share) * f(q, share)).sum::<f64>();

@@ -1,4 +1,4 @@
-//! The impacts of a threshold search so far, on disk, so that a search that was interrupted goes on where it was.
+//! The impacts of a threshold search so far, on disk, so that an interrupted search continues from there.
 
 use std::path::{Path, PathBuf};
 
@@ -29,16 +29,16 @@ pub struct Impact {
     pub q_r: f64,
     pub outcome: Outcome,
     pub later: Outcome,
-    pub price: Price,
+    pub price: ImpactCost,
     pub state_hash: String,
-    /// Of its run.
+    /// Warnings of its run.
     #[serde(default)]
     pub warnings: Vec<Warning>,
 }
 
-/// What an impact has cost and how well it conserved.
+/// Cost and conservation errors of an impact.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
-pub struct Price {
+pub struct ImpactCost {
     pub particles: u64,
     pub steps: u64,
     pub wall_seconds: f64,
@@ -58,13 +58,13 @@ fn not_known() -> f64 {
     f64::NAN
 }
 
-/// JSON has no number that is none.
+/// Numbers that are not finite are null in JSON.
 fn number_or_null<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<f64, D::Error> {
     Option::<f64>::deserialize(deserializer).map(|number| number.unwrap_or(f64::NAN))
 }
 
 impl Impact {
-    /// For Q*_D.
+    /// The impact as a point of the search for Q*_D.
     pub fn point(&self) -> Point {
         Point {
             q: self.q,
@@ -73,7 +73,7 @@ impl Impact {
         }
     }
 
-    /// For Q*_RD.
+    /// The impact as a point of the search for Q*_RD.
     pub fn point_of_total(&self) -> Point {
         Point {
             q: self.q_r,
@@ -82,13 +82,13 @@ impl Impact {
         }
     }
 
-    /// Whether the threshold rests on it: it is fitted, or tells the scatter.
+    /// Whether the threshold depends on it: it is fitted, or gives the scatter.
     pub fn decides(&self) -> bool {
         fit::is_fitted(self.outcome.largest_remnant_fraction)
     }
 
-    /// How far its energy may be wrong, relative: the drift over the kinetic energy that is left, which sets what leaves the target;
-    /// zero where it warns of none.
+    /// Relative uncertainty of its energy: the drift over the remaining kinetic energy, which determines how much leaves the
+    /// target; zero without a warning of it.
     pub fn drift(&self) -> f64 {
         let warned = self.warnings.iter().any(|warning| warning.kind == "energy");
         match (warned, self.price.energy_drift_over_left) {
@@ -98,8 +98,8 @@ impl Impact {
         }
     }
 
-    /// Warnings that say something about the threshold: how few particles a remnant has matters where it is near one half.
-    pub fn told_warnings(&self) -> Vec<Warning> {
+    /// Warnings that concern the threshold: the number of particles of a remnant matters where it is near one half.
+    pub fn relevant_warnings(&self) -> Vec<Warning> {
         let matters = |warning: &&Warning| self.decides() || warning.kind != "few_particles";
         self.warnings.iter().filter(matters).cloned().collect()
     }
@@ -129,14 +129,14 @@ impl Impact {
     }
 }
 
-/// The scene that is searched, as it was understood.
+/// The scene that is searched, as read, with defaults.
 const SCENE: &str = "scene.toml";
 
 fn file(directory: &Path) -> PathBuf {
     directory.join("impacts.json")
 }
 
-/// Writes down what is searched. Collective.
+/// Writes the scene that is searched. Collective.
 pub fn begin(directory: &Path, scene: &Scene, comm: &Comm) -> Result<()> {
     let write = || replace_text(&directory.join(SCENE), &scene.to_toml());
     on_root(comm, write)
@@ -164,14 +164,14 @@ fn read_alone(directory: &Path, scene: &Scene) -> Result<Vec<Impact>> {
         let allowed = "the scene of its impacts, in which the title, [output] and [threshold] may change; or another directory (--out)";
         return Err(Error::new(what).at(directory.display().to_string()).allowed(allowed).bad_input());
     }
-    // Impacts that have ended are not run again: their folders have what they found.
+    // Impacts that have ended are not run again: their folders have their results.
     Ok(serde_json::from_slice(&bytes).unwrap_or_else(|error| {
         tracing::warn!("{} is damaged and made anew: {error}", path.display());
         Vec::new()
     }))
 }
 
-/// The first key that changes what an impact finds.
+/// The first key that changes the outcome of an impact.
 fn differs(before: &str, scene: &Scene) -> Option<String> {
     let [before, now] = [before, &scene.to_toml()].map(|text| {
         let mut table = understood(text);
@@ -196,9 +196,9 @@ mod tests {
 
     #[test]
     fn drift_counts_where_it_is_warned_of() {
-        let price = Price { energy_drift: 2e-3, energy_drift_over_left: 0.3, ..Price::default() };
+        let price = ImpactCost { energy_drift: 2e-3, energy_drift_over_left: 0.3, ..ImpactCost::default() };
         let text = serde_json::to_string(&price).expect("JSON");
-        let of = |price: Price, warnings: Vec<Warning>| Impact {
+        let of = |price: ImpactCost, warnings: Vec<Warning>| Impact {
             repeat: 0,
             length: 1.0,
             q: 1.0,
@@ -212,13 +212,13 @@ mod tests {
         let energy = || vec![Warning::new("energy", "drifts".into()), Warning::new("few_particles", "few".into())];
         assert_eq!(of(price, Vec::new()).drift(), 0.0);
         assert_eq!(of(price, energy()).drift(), 0.3);
-        let spent = Price { energy_drift_over_left: f64::NAN, ..price };
+        let spent = ImpactCost { energy_drift_over_left: f64::NAN, ..price };
         assert_eq!(of(spent, energy()).drift(), 2e-3);
         let nothing_left = serde_json::to_string(&spent).expect("JSON");
-        let read = |text: &str| serde_json::from_str::<Price>(text).expect("a price").energy_drift_over_left;
+        let read = |text: &str| serde_json::from_str::<ImpactCost>(text).expect("a price").energy_drift_over_left;
         assert!(read(&nothing_left).is_nan() && read(&text) == 0.3);
         assert!(read(&text.replace("\"energy_drift_over_left\":0.3,", "")).is_nan());
         // A remnant of a twentieth decides nothing, however few particles it has.
-        assert_eq!(of(price, energy()).told_warnings(), energy()[..1]);
+        assert_eq!(of(price, energy()).relevant_warnings(), energy()[..1]);
     }
 }

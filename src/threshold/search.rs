@@ -1,14 +1,14 @@
 //! The catastrophic disruption threshold: impact after impact at the scene's speed and angle, the projectile's size varied,
 //! until the largest remnant is known to fall through one half. Q*_D and Q*_RD come from the same impacts. A few more, at the
-//! threshold but with other flaws and another orientation of the lattice, tell how much the outcome of one impact is worth:
-//! their standard deviation, over the slope of the remnant law, is part of the uncertainty. So is the drift of energy, where an impact
-//! that the law is fitted to warns of it.
+//! threshold but with other flaws and another orientation of the lattice, show how reliable the outcome of one impact is:
+//! their standard deviation, over the slope of the remnant law, is part of the uncertainty. So is the drift of energy, where a
+//! fitted impact warns of it.
 
 use std::path::Path;
 
 use super::bracket::{Next, Point, Rules, next};
 use super::fit::{Threshold, threshold};
-use super::record::{self, Impact, Price};
+use super::record::{self, Impact, ImpactCost};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::outcome::scaling::{self, ThresholdFit};
@@ -23,7 +23,7 @@ use crate::scene::{Body, BodyShape, Scene};
 use crate::simulation::{self, Ended, Options};
 use crate::warning::{self, Warning};
 
-/// What the search knows of its scene.
+/// The data of the scene that the search uses.
 struct Search<'a> {
     scene: &'a Scene,
     key: &'a str,
@@ -34,7 +34,7 @@ struct Search<'a> {
     repeats: u32,
 }
 
-/// Searches, or goes on searching; none where it was interrupted. Collective.
+/// Searches, or continues a search; `None` where it was interrupted. Collective.
 pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<Option<Summary>> {
     let search = Search::new(scene)?;
     let impacts = if options.resume { record::read(&options.directory, scene, comm)? } else { Vec::new() };
@@ -69,7 +69,7 @@ pub fn run(scene: &Scene, options: &Options, comm: &Comm) -> Result<Option<Summa
     Found::new(&progress, end).write(&options.directory, comm).map(Some)
 }
 
-/// A search on its way.
+/// The progress of a search.
 struct Progress<'a> {
     search: &'a Search<'a>,
     options: &'a Options,
@@ -133,14 +133,14 @@ impl<'a> Search<'a> {
     }
 
     fn rules(&self) -> Rules {
-        let asked = self.scene.threshold.as_ref().expect("checked in `new`");
-        // A projectile as large as its target is no projectile; one of a hundredth leaves a crater.
+        let settings = self.scene.threshold.as_ref().expect("checked in `new`");
+        // A projectile must be smaller than its target; one of a hundredth only makes a crater.
         let size = self.target.shape.outer_radius();
-        let range = [asked.min.unwrap_or(0.01 * size), asked.max.unwrap_or(size)].map(|length| self.q(length));
+        let range = [settings.min.unwrap_or(0.01 * size), settings.max.unwrap_or(size)].map(|length| self.q(length));
         Rules {
             start: self.reference.q_star(size),
-            tolerance: asked.tolerance,
-            max_impacts: asked.max_impacts as usize,
+            tolerance: settings.tolerance,
+            max_impacts: settings.max_impacts as usize,
             range,
         }
     }
@@ -182,7 +182,7 @@ impl<'a> Search<'a> {
         all
     }
 
-    /// Runs one impact, or goes on with the one that was interrupted; none where it was interrupted again.
+    /// Runs one impact, or resumes the one that was interrupted; `None` where it was interrupted again.
     fn impact(
         &self,
         length: f64,
@@ -212,8 +212,8 @@ impl<'a> Search<'a> {
     }
 }
 
-fn price(summary: &Summary) -> Price {
-    Price {
+fn price(summary: &Summary) -> ImpactCost {
+    ImpactCost {
         particles: summary.particles,
         steps: summary.steps,
         wall_seconds: summary.wall_seconds,
@@ -228,7 +228,7 @@ fn price(summary: &Summary) -> Price {
     }
 }
 
-/// What the search found.
+/// The result of the search.
 struct Found<'a> {
     search: &'a Search<'a>,
     impacts: &'a [Impact],
@@ -236,7 +236,7 @@ struct Found<'a> {
     rd: Option<Threshold>,
     /// Standard deviation of the threshold between repeats, J/kg; none without repeats.
     scatter: Option<f64>,
-    /// Largest relative drift of energy of an impact that the threshold rests on, where it is warned of; else zero.
+    /// Largest relative drift of energy of an impact that the threshold depends on, where it is warned of; else zero.
     drift: f64,
     end: String,
 }
@@ -313,10 +313,10 @@ impl<'a> Found<'a> {
         }
     }
 
-    /// The price of all impacts together; drifts are the largest of any.
+    /// The cost of all impacts together; drifts are the largest of any.
     fn summary(&self, comm: &Comm) -> Summary {
-        let sum = |get: fn(&Price) -> f64| self.impacts.iter().map(|impact| get(&impact.price)).sum::<f64>();
-        let largest = |get: fn(&Price) -> f64| self.impacts.iter().map(|i| get(&i.price)).fold(0.0, f64::max);
+        let sum = |get: fn(&ImpactCost) -> f64| self.impacts.iter().map(|impact| get(&impact.price)).sum::<f64>();
+        let largest = |get: fn(&ImpactCost) -> f64| self.impacts.iter().map(|i| get(&i.price)).fold(0.0, f64::max);
         let hashes: String = self.impacts.iter().map(|impact| impact.state_hash.as_str()).collect();
         let core_seconds = sum(|p| p.core_seconds);
         Summary {
@@ -342,10 +342,10 @@ impl<'a> Found<'a> {
         }
     }
 
-    /// Of all impacts, each kind once.
+    /// Warnings of all impacts, each kind once.
     fn warnings(&self) -> Vec<Warning> {
-        let told: Vec<Vec<Warning>> = self.impacts.iter().map(Impact::told_warnings).collect();
-        warning::merged("impact", (1..).zip(told.iter().map(Vec::as_slice)))
+        let relevant: Vec<Vec<Warning>> = self.impacts.iter().map(Impact::relevant_warnings).collect();
+        warning::merged("impact", (1..).zip(relevant.iter().map(Vec::as_slice)))
     }
 
     fn table(&self) -> String {
@@ -445,7 +445,7 @@ impl<'a> Found<'a> {
         if self.drift > 0.0 {
             tracing::info!("the uncertainty contains {:.1e} J/kg for the drift of energy", self.drift * t.q_star_d);
         }
-        warning::say(&summary.warnings, is_root);
+        warning::log(&summary.warnings, is_root);
         tracing::info!("written to {}{}", directory.display(), warning::in_short(&summary.warnings));
     }
 }

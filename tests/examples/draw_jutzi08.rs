@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use sph_mpi::error::{Error, Result};
-use sph_mpi::exact::compaction::Sponge;
+use sph_mpi::exact::compaction::PorousMedium;
 use sph_mpi::material::MaterialTable;
 use sph_mpi::output::figures::curves::{Axis, Figure, Mark, Series};
 
@@ -17,12 +17,12 @@ fn main() {
 }
 
 /// The matter of figures 1 to 3: P = c rho E + A mu, rigid pores.
-fn sponge(alpha_0: f64, c: f64, law: &str) -> Result<Sponge> {
+fn porous_medium(alpha_0: f64, c: f64, law: &str) -> Result<PorousMedium> {
     let text = format!(
         "eos = {{ simplified_tillotson = {{ rho_0 = 2700, c = {c}, A = 7.5e10 }} }}\n[porosity]\ndistention = {alpha_0}\n{law}"
     );
     let material: MaterialTable = toml::from_str(&text).map_err(|e| Error::new(e.to_string()))?;
-    Sponge::of(&material, alpha_0).ok_or_else(|| Error::new("no pores"))
+    PorousMedium::of(&material, alpha_0).ok_or_else(|| Error::new("no pores"))
 }
 
 const BY_PRESSURE: &str = "p_alpha = { quadratic = { P_e = 8e7, P_s = 7e8 } }";
@@ -36,10 +36,10 @@ fn by_strain(alpha_0: f64, c: f64) -> String {
 }
 
 /// (P in GPa, alpha, rho) along the Hugoniot of first loading.
-fn hugoniot(sponge: &Sponge, most: f64) -> Result<Vec<[f64; 3]>> {
+fn hugoniot(medium: &PorousMedium, most: f64) -> Result<Vec<[f64; 3]>> {
     let mut points = Vec::new();
     for k in 0..4000 {
-        let state = sponge.shock(0.5 * libm::pow(1.0025, f64::from(k)))?.behind;
+        let state = medium.shock(0.5 * libm::pow(1.0025, f64::from(k)))?.behind;
         if state.stress > most {
             break;
         }
@@ -60,7 +60,7 @@ fn figure(title: &str, x: &str, y: &str, series: Vec<Series>) -> Figure {
 fn draw(folder: &Path) -> Result<()> {
     let (mut densities, mut matrices) = (Vec::new(), Vec::new());
     for alpha_0 in [1.275, 3.0] {
-        let points = hugoniot(&sponge(alpha_0, 2.0, BY_PRESSURE)?, 1.2e9)?;
+        let points = hugoniot(&porous_medium(alpha_0, 2.0, BY_PRESSURE)?, 1.2e9)?;
         densities.push(line(format!("alpha_0 = {alpha_0}"), points.iter().map(|[p, _, rho]| (*p, *rho)).collect()));
         matrices.push(line(
             format!("alpha_0 = {alpha_0}"),
@@ -73,7 +73,7 @@ fn draw(folder: &Path) -> Result<()> {
         .draw(&folder.join("jutzi08_fig1_matrix.png"))?;
     for alpha_0 in [1.275, 3.0] {
         let curve = |label: String, c: f64, law: &str| -> Result<Series> {
-            let points = hugoniot(&sponge(alpha_0, c, law)?, 1.2e9)?;
+            let points = hugoniot(&porous_medium(alpha_0, c, law)?, 1.2e9)?;
             Ok(line(label, points.iter().map(|[p, alpha, _]| (*p, *alpha)).collect()))
         };
         let strain = by_strain(alpha_0, 2.0);
@@ -86,7 +86,7 @@ fn draw(folder: &Path) -> Result<()> {
         let series = series.into_iter().collect::<Result<_>>()?;
         figure(&title(3), "P (GPa)", "distention", series).draw(&folder.join(format!("jutzi08_fig3_{name}.png")))?;
     }
-    let matter = sponge(3.0, 2.0, BY_PRESSURE)?.matter;
+    let matter = porous_medium(3.0, 2.0, BY_PRESSURE)?.matter;
     let damage = (0..=400).map(|k| 1.0 - 0.0025 * f64::from(k)).map(|pores| {
         let root = matter.damage_root(1.0 + 2.0 * pores);
         (pores, root * root * root)

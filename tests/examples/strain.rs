@@ -35,7 +35,7 @@ impl MaterialEffect for Strain {
         let rate = local.rate(self.strain);
         for (_, range) in self.bodies.runs(local) {
             for i in range {
-                let e = Deviator::of(&Sym::symmetric_part(&local.motion[i].velocity_gradient), 1.0);
+                let e = Deviator::of(&Sym::symmetric_part(&local.flow[i].velocity_gradient), 1.0);
                 rate.set(i, (4.0 / 3.0 * e.j2()).sqrt());
             }
         }

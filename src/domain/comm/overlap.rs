@@ -1,4 +1,4 @@
-//! Requests under way, and work that goes on meanwhile: its waits are those of futures, which are polled by hand.
+//! Pending requests, and work that continues meanwhile: its waits are those of futures, which are polled by hand.
 
 use std::pin::Pin;
 use std::task::{Context, Poll, Waker};
@@ -15,8 +15,8 @@ pub fn now<T>(work: impl Future<Output = T>) -> T {
     }
 }
 
-/// Work with waits for other ranks that goes on bit by bit, while this rank does something else. All ranks have the same work
-/// under way, one at a time, and no other reductions or sparse exchanges until it is finished.
+/// Work with waits for other ranks that continues bit by bit, while this rank does something else. All ranks have the same work
+/// pending, one at a time, and no other reductions or sparse exchanges until it is finished.
 pub struct Overlapped<'a, T> {
     comm: &'a Comm,
     work: Pin<Box<dyn Future<Output = T> + 'a>>,
@@ -28,7 +28,7 @@ impl<'a, T> Overlapped<'a, T> {
         Self { comm, work: Box::pin(work), found: None }
     }
 
-    /// Goes on as far as messages have come.
+    /// Continues as far as messages have arrived.
     pub fn go_on(&mut self) {
         if self.found.is_none() {
             self.comm.overlaps.set(true);
@@ -68,14 +68,14 @@ impl Drop for Request {
     }
 }
 
-/// A reduction under way; the request goes first.
+/// A pending reduction; the request is dropped first.
 pub struct Reduction<T> {
     pub request: Request,
     pub mine: Vec<T>,
     pub all: Vec<T>,
 }
 
-/// A round of the sparse exchange under way; requests go first.
+/// A pending round of the sparse exchange; requests are dropped first.
 pub struct Round<'a> {
     requests: Vec<Request>,
     barrier: Option<Request>,
@@ -107,7 +107,7 @@ impl<'a> Round<'a> {
         Self { requests, barrier: None, comm, tag, _outgoing: outgoing }
     }
 
-    /// Takes what has come; whether the round is over.
+    /// Takes the messages that have arrived; whether the round is over.
     pub fn go_on(&mut self, received: &mut Vec<(usize, Vec<u64>)>) -> bool {
         while let Some(message) = self.next_message() {
             received.push(message);

@@ -11,7 +11,8 @@ pub struct Bodies {
     pub inverse_softening: Vec<f64>,
 }
 
-/// Nearer than this, in sides of the root cube, bodies are as one: the square still is a number of single precision.
+/// Nearer than this, in sides of the root cube, bodies count as coincident: the square is still above the smallest number of single
+/// precision.
 const NEAREST2: f64 = 1e-36;
 
 impl Bodies {
@@ -73,7 +74,7 @@ pub unsafe fn add_distant<L: Lanes>(sources: &Bodies, place: &Place, sums: &mut 
     }
 }
 
-/// The same for sources that may be softened; the place itself may be among them and does not attract itself, but its own
+/// [`add_distant`] for sources that may be softened; the place itself may be among them and does not attract itself, but its own
 /// potential is counted, see [`own`].
 ///
 /// # Safety
@@ -113,7 +114,7 @@ pub unsafe fn add_near<L: Lanes>(sources: &Bodies, place: &Place, sums: &mut [L;
     }
 }
 
-/// What a body of this softening adds to its own sum of m / r, over its mass.
+/// Contribution of a body of this softening to its own sum of m / r, over its mass.
 pub fn own(softening: f64) -> f64 {
     1.4 / softening
 }

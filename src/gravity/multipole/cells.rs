@@ -11,7 +11,7 @@ pub const DEEPEST: u32 = 21;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Root {
     corner: Vec3,
-    /// m.
+    /// Length of the edges, m.
     side: f64,
 }
 
@@ -37,12 +37,12 @@ impl Root {
         key_within(&self.within(position))
     }
 
-    /// m.
+    /// Length of the edges, m.
     pub fn side(&self) -> f64 {
         self.side
     }
 
-    /// In sides of the cube from its corner.
+    /// A place in sides of the cube from its corner.
     pub fn within(&self, position: &[f64; 3]) -> [f64; 3] {
         std::array::from_fn(|k| (position[k] - self.corner[k]) / self.side)
     }

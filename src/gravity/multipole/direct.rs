@@ -1,4 +1,4 @@
-//! The field as a plain sum over bodies: what multipoles are measured against.
+//! The field as a plain sum over bodies: the reference for the multipoles.
 
 use super::{Body, Field};
 use crate::gravity::G;

@@ -18,14 +18,14 @@
 //! added       L_i  by  E_i / M        for |i| = 1
 //! ```
 //!
-//! of one degree more, which pull at all of its mass alike. All forces are then the gradient of U, that no turn of both cells
-//! changes: angular momentum is conserved to rounding, as in Marcello (2017, Astron. J. 154, 92), and energy but for the moment
-//! when other cells see each other.
+//! of one degree more, which accelerate all of its mass alike. All forces are then the gradient of U, which does not change when
+//! both cells are rotated: angular momentum is conserved to rounding, as in Marcello (2017, Astron. J. 154, 92), and energy except
+//! when other pairs of cells are opened.
 
 use super::indices::{ALL, HIGHEST, MOST, POWERS, SUM, count, degree, index, monomials};
 use crate::math::lanes::{LANES, Lanes};
 
-/// The body once for each number of a multi-index, which it knows as a constant: whatever stands in arrays may then stay in
+/// The body once for each number of a multi-index, as a constant: the contents of arrays may then stay in
 /// registers. Conditions are `const`, so that what does not hold costs nothing to compile.
 macro_rules! each_index {
     ($number:ident from first $body:block) => {
@@ -81,7 +81,7 @@ pub fn moved(order: usize, local: &Local, shift: &[f64; 3]) -> Local {
     new
 }
 
-/// Adds E / M to the expansion at a sink whose row this is. Nothing pulls at a cell without mass as a whole.
+/// Adds E / M to the expansion at a sink whose row this is. A cell without mass feels no force as a whole.
 pub fn add_whole(order: usize, sink: &[f64], beyond: &Beyond, local: &mut Local) {
     if sink[3] == 0.0 {
         return;
@@ -144,7 +144,7 @@ unsafe fn derivatives<L: Lanes, const P: usize>(x: &[L; 3], inverse: L, out: &mu
     }
 }
 
-/// Whether R(m) of this number is wanted beside that of degree 0.
+/// Whether R(m) of this number is needed beside that of degree 0.
 const fn is_auxiliary(order: usize, m: usize, number: usize) -> bool {
     m <= order && number > 0 && degree(number) <= order + 1 - m
 }
@@ -165,8 +165,8 @@ unsafe fn derivative<L: Lanes, const N: usize>(x: &[L; 3], lower: &[L; ALL]) -> 
     }
 }
 
-/// Of a multi-index above zero: an axis along which it may be lowered, its number then, the power that is left there, and the number
-/// when it is lowered twice.
+/// For a multi-index above zero: an axis along which it may be lowered, its number then, the power that is left there, and the
+/// number when it is lowered twice.
 const fn lowered(number: usize) -> (usize, usize, usize, usize) {
     let mut p = POWERS[number];
     let axis = if p[0] > 0 {
@@ -188,7 +188,7 @@ const fn lowered(number: usize) -> (usize, usize, usize, usize) {
     (axis, once, left, index(p[0], p[1], p[2]))
 }
 
-/// Adds what eight sources, whose rows begin at `offsets` of `rows`, give a sink: L and X.
+/// Adds the contributions of eight sources, whose rows begin at `offsets` of `rows`, to L and X of a sink.
 ///
 /// # Safety
 /// As for [`Lanes`]; `rows` holds a row behind each offset.
@@ -238,7 +238,7 @@ pub unsafe fn add_sources<L: Lanes, const P: usize>(
     }
 }
 
-/// Whether X_q is wanted for order P: from the third degree on, and not that of P, which goes with B_1.
+/// Whether X_q is needed for order P: from the third degree on, and not that of P, which goes with B_1.
 pub const fn is_beyond(order: usize, q: usize) -> bool {
     degree(q) >= 3 && degree(q) <= order + 1 && degree(q) != order
 }

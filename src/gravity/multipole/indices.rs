@@ -4,7 +4,7 @@
 pub const HIGHEST: usize = 5;
 /// Multi-indices up to that order.
 pub const MOST: usize = count(HIGHEST);
-/// Multi-indices up to the degree above it, to which derivatives are wanted.
+/// Multi-indices up to the degree above it, to which derivatives are needed.
 pub const ALL: usize = count(HIGHEST + 1);
 
 /// Multi-indices of degree `order` and below.

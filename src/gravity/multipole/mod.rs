@@ -1,12 +1,12 @@
 //! The gravity of bodies on each other by multipoles of cells on cells (Greengard and Rokhlin 1987, J. Comp. Phys. 73, 325; Dehnen
 //! 2002, J. Comp. Phys. 179, 27), at a cost in proportion to their number, in an octree that ranks share (Salmon and Warren 1994).
 //!
-//! Everything that decides about the result - root cube, cells, leaves, expansions, who sees whom as far, the order of sums -
+//! Everything that determines the result - root cube, cells, leaves, expansions, which pairs are far, the order of sums -
 //! follows from the set of bodies alone, so that fields have the same bits on any number of ranks:
 //! - a cell of the global lattice is split where it holds more than [`octree::LEAF`] bodies, counted over all ranks;
 //! - cells down to a size that suits the number of ranks form the *top*, which every rank knows; below each of its ends, a
 //!   *branch*, all bodies go to one rank, which builds the branch with its bodies in canonical order and finds the sums at them,
-//!   whoever owns them as particles;
+//!   whichever rank owns them as particles;
 //! - a rank receives of a remote branch the part that cells of its own branches can open, no more.
 //!
 //! Cells act on each other in pairs with equal and opposite forces, so momentum is conserved to rounding.

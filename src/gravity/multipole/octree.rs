@@ -25,11 +25,11 @@ pub struct Body {
     pub mass: f64,
     /// Smoothing length h; softening ends at 2h.
     pub softening: f64,
-    /// How large its acceleration is about, against which errors are measured.
+    /// Its approximate acceleration, against which errors are measured.
     pub acceleration: f64,
 }
 
-/// What decides whether a cell is far enough from another to act as an expansion.
+/// Bounds that determine whether a cell is far enough from another to act as an expansion.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Side {
@@ -60,7 +60,7 @@ pub struct Node {
 }
 
 impl Node {
-    /// All of the subtree is here.
+    /// All of the subtree is on this rank.
     pub const OPEN: u32 = 0;
     /// Its subtree stays on another rank, as no body here opens it.
     pub const CLOSED: u32 = 1;
@@ -211,7 +211,7 @@ impl Octree {
         self.bodies.extend(&part.bodies, 0..part.bodies.count());
     }
 
-    /// Copies the part of a subtree below `at` of which `is_far` says that nobody opens it only as it is seen from outside.
+    /// Copies the subtree at `at`; nodes for which `is_far` holds, which no cell opens, are copied without their own subtrees.
     pub fn copy_part(&self, at: usize, is_far: &impl Fn(&Node) -> bool, part: &mut Octree) {
         let node = self.nodes[at];
         if is_far(&node) {

@@ -1,16 +1,16 @@
-//! When two cells, or the bodies in them, see each other as expansions only. With R the distance of their centres of mass, s the
+//! When two cells act on each other through expansions alone. With R the distance of their centres of mass, s the
 //! sum of their radii and P the order, they do where
 //!
 //! ```text
 //! s < theta R                                       expansions converge
 //! s + 2 max(h) < R                                  no pair is softened
-//! G M_B / R^2 (s / R)^P <= eps a_A, and A for B     the error of either's acceleration is a share of what it has
+//! G M_B / R^2 (s / R)^P <= eps a_A, and A for B     the error of either's acceleration is a small share of it
 //! ```
 //!
 //! with a_A the least acceleration in A when gravity was last evaluated; the estimate is that of Dehnen (2014, Comp. Astrophys.
 //! Cosmol. 1, 1), the measure that of Springel (2005, MNRAS 364, 1105). The test does not change when A and B are swapped, so
-//! that each sees the other as it is seen. It holds the better the larger R and a, and the smaller s, h and M are: what is true
-//! of bounds is true of all that they bound.
+//! that cells are far from each other in both directions. It holds the better the larger R and a, and the smaller s, h and M are:
+//! what is true of bounds is true of all that they bound.
 
 use bytemuck::{Pod, Zeroable};
 

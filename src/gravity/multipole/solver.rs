@@ -1,5 +1,5 @@
-//! The field of bodies that many ranks hold, at all of them: who builds which branch of the tree, which parts of it travel, and how
-//! the results come home.
+//! The field of bodies of many ranks, at all of them: which rank builds which branch of the tree, which parts of it are sent, and
+//! how results return to the owners.
 
 use std::ops::Range;
 
@@ -23,7 +23,7 @@ const TREE_BODY_WORDS: usize = 5;
 /// Words of a result in a message.
 const FIELD_WORDS: usize = std::mem::size_of::<Field>() / 8;
 
-/// What gravity does at a body.
+/// The gravitational field at a body.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Field {
@@ -88,7 +88,7 @@ pub async fn solve_later(comm: &Comm, bodies: &[Body], opening: &Opening) -> Vec
     fields
 }
 
-/// Keys and numbers of bodies in canonical order: along the curve, by id within a deepest cell.
+/// Keys and indices of bodies in canonical order: along the curve, by id within a deepest cell.
 fn in_order(root: &Root, bodies: &[Body]) -> Vec<(u64, u32)> {
     let mut keyed: Vec<(u64, u32)> =
         bodies.iter().zip(0..).map(|(body, number)| (root.key(&body.position), number)).collect();
@@ -161,7 +161,7 @@ struct Shared {
     top: Vec<(usize, Range<usize>)>,
 }
 
-/// The first node of a branch with its row, and who in the branch may open what.
+/// The first node of a branch with its row, and which sources its cells may open.
 struct Head {
     node: Node,
     row: Vec<f64>,
@@ -188,7 +188,7 @@ impl Forest<'_> {
         shared
     }
 
-    /// Of all branches, on all ranks: one rank has each and the others add zeros to its bits.
+    /// The heads of all branches, on all ranks: one rank has each and the others add zeros to its bits.
     async fn share_heads(&self, branches: &[Option<Octree>]) -> Vec<Head> {
         let order = self.opening.order;
         let mut words: Vec<i64> = Vec::new();

@@ -3,10 +3,10 @@
 use super::cells::{Cell, DEEPEST};
 use crate::domain::comm::Comm;
 
-/// Branches wanted per rank: enough for their surfaces to follow those of the ranks' domains.
+/// Branches aimed at per rank: enough for their surfaces to follow those of the ranks' domains.
 const BRANCHES_PER_RANK: u64 = 32;
 
-/// What lies in a cell, out of keyed things in order.
+/// The entries of a cell, from a list sorted by key.
 pub fn within<T>(cell: Cell, keyed: &[(u64, T)]) -> &[(u64, T)] {
     let begin = keyed.partition_point(|(key, _)| *key < cell.first_key());
     let end = keyed.partition_point(|(key, _)| *key < cell.end_key());
@@ -35,7 +35,7 @@ pub async fn find_ends<T>(comm: &Comm, keyed: &[(u64, T)], leaf: i64) -> Vec<Cel
     ends
 }
 
-/// Each branch goes to the rank that holds most of it, the lowest of several, so that little has to travel.
+/// Each branch goes to the rank that holds most of it, the lowest of several, so that little has to be sent.
 pub async fn find_owners<T>(comm: &Comm, ends: &[Cell], keyed: &[(u64, T)]) -> Vec<usize> {
     let size = comm.size() as f64;
     let claim = |&end: &Cell| within(end, keyed).len() as f64 * size + (size - 1.0 - comm.rank() as f64);
@@ -43,7 +43,7 @@ pub async fn find_owners<T>(comm: &Comm, ends: &[Cell], keyed: &[(u64, T)]) -> V
     claims.iter().map(|claim| comm.size() - 1 - (claim % size) as usize).collect()
 }
 
-/// Messages under way, one per rank, in the order in which ranks were first addressed.
+/// Messages to be sent, one per rank, in the order in which ranks were first addressed.
 #[derive(Default)]
 pub struct Parcels(pub Vec<(usize, Vec<u64>)>);
 

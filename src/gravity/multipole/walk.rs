@@ -1,8 +1,8 @@
 //! The walk: every cell of this rank meets every other cell once, in pairs of one level, until both are far enough or leaves.
 //!
-//! A pair that is not far is split: both cells where they have one level, the one that is no leaf otherwise. So whom a cell
-//! meets follows from the tree alone, and A meets B where B meets A. What a cell sees as far is summed into its local expansion,
-//! which its children inherit; what remains for a leaf is summed body by body. All in the order of the tree.
+//! A pair that is not far is split: both cells where they have one level, the one that is no leaf otherwise. So the cells that
+//! a cell meets follow from the tree alone, and A meets B where B meets A. Far cells are summed into its local expansion,
+//! which its children inherit; the cells that remain for a leaf are summed body by body. All in the order of the tree.
 
 use rayon::prelude::*;
 
@@ -138,12 +138,12 @@ impl<'a> Walker<'a> {
                 list.extend(&self.tree.bodies, b.bodies());
             }
             (true, false) => {
-                assert!(b.kind != Node::CLOSED, "a cell opens one that its rank did not ask for");
+                assert!(b.kind != Node::CLOSED, "a cell opens one that its rank did not request");
                 let tree = self.tree;
                 tree.children(source).for_each(|child| self.sort(sink, child));
             }
             (false, false) if b.level <= a.level => {
-                assert!(b.kind != Node::CLOSED, "a cell opens one that its rank did not ask for");
+                assert!(b.kind != Node::CLOSED, "a cell opens one that its rank did not request");
                 self.met.extend(self.tree.children(source).map(|child| child as u32));
             }
             (false, _) => self.met.push(source as u32),

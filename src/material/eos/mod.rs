@@ -132,9 +132,9 @@ impl Eos {
 pub struct Slopes {
     /// Pa.
     pub p: f64,
-    /// At constant energy, m^2/s^2.
+    /// dP/drho at constant energy, m^2/s^2.
     pub by_rho: f64,
-    /// At constant density, kg/m^3.
+    /// dP/du at constant density, kg/m^3.
     pub by_u: f64,
 }
 
@@ -157,7 +157,7 @@ pub fn bounded_sound(sound2: f64, rest2: f64) -> f64 {
 const TENSION_FADES: f64 = 0.95;
 const TENSION_GONE: f64 = 0.85;
 
-/// Tension of matter that has expanded too far to pull: it fades linearly between eta = 0.95 and 0.85. The strongest pull that
+/// Tension of matter that has expanded too far to bear it: it fades linearly between eta = 0.95 and 0.85. The largest tension that
 /// is left, 0.056 A at most, is a few times the spall strength of metals, and rock breaks at strains of 1e-3, so that solids
 /// are limited by their own fracture and never by this.
 #[inline]
@@ -216,8 +216,8 @@ impl MaterialEffect for EquationOfState {
 
     fn rates(&self, local: &Local) {
         let Some(rate) = self.energy.map(|energy| local.rate(energy)) else { return };
-        for (i, motion) in local.motion.iter().enumerate() {
-            rate.set(i, motion.heating);
+        for (i, flow) in local.flow.iter().enumerate() {
+            rate.set(i, flow.heating);
         }
     }
 
@@ -272,7 +272,7 @@ mod tests {
         assert!((entropy(&rig) / before - 1.0).abs() < 1e-6, "{}", entropy(&rig) / before);
     }
 
-    /// A scene of cold matter has no column of energy, and heat that something asks for there is missed.
+    /// A scene of cold matter has no column of energy, and an effect that requires one is an error.
     #[test]
     fn cold_matter_has_no_energy() {
         let material = |more: &str| -> MaterialTable {

@@ -4,7 +4,8 @@
 //! P = K_0 / n [ (rho / rho_0)^n - 1 ]        c^2 = dP/drho = K_0 / rho_0 (rho / rho_0)^(n-1)
 //! ```
 //! P pressure, K_0 bulk modulus, Pa; rho density, rho_0 reference density, kg/m^3; n rise of the bulk modulus with pressure. Tension
-//! fades as for Tillotson's law, and c^2 >= K_0 / (4 rho_0). Heat presses nothing, so that no internal energy is needed.
+//! fades as for Tillotson's law, and c^2 >= K_0 / (4 rho_0). Pressure does not depend on heat, so that no internal energy is
+//! needed.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

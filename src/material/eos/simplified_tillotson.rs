@@ -1,4 +1,4 @@
-//! Tillotson's law where it is simple (Jutzi et al. 2008, eqs 17 and 64): P = c rho u + A mu, mu = rho / rho_0 - 1, for u far
+//! Simplified form of Tillotson's law (Jutzi et al. 2008, eqs 17 and 64): P = c rho u + A mu, mu = rho / rho_0 - 1, for u far
 //! below E_0 and small mu.
 //!
 //! P pressure, A bulk modulus, Pa; rho density, rho_0 reference density, kg/m^3; u specific internal energy, J/kg; c = a + b of

@@ -13,7 +13,7 @@
 //! The published form fails in expansion, where it was never fitted; three guards, each outside the range of the fit:
 //! - For mu < 0, B mu^2 is dropped where B > 2 A (nylon, water), and B counts as A where it lies between: with B > A cold
 //!   matter below eta = 1 - A/B would explode.
-//! - Tension fades (see [`super::fading`]): the formula pulls harder and harder down to eta = 0.5 (with A/4); a solid does not.
+//! - Tension fades (see [`super::fading`]): the tension of the formula grows down to eta = 0.5 (to A/4); that of a solid does not.
 //! - c^2 >= A / (4 rho_0), as c^2 < 0 in half of the expanded states.
 
 use schemars::JsonSchema;
@@ -303,7 +303,7 @@ mod tests {
         assert!((c - (26.7e9f64 / 2700.0).sqrt()).abs() < 1e-9);
     }
 
-    /// Cold nylon below eta = 0.70 must not push. The pull A (1 - eta) (eta - 0.85) / 0.1, which
+    /// Cold nylon below eta = 0.70 must not push. The tension A (1 - eta) (eta - 0.85) / 0.1, which
     /// B > 0 only weakens, is largest at eta = 0.925: 0.05625 A.
     #[test]
     fn cold_expanded_matter_never_pushes_and_never_pulls_far() {
@@ -315,7 +315,7 @@ mod tests {
                 assert!(p <= 0.0 && p >= -0.05625 * rounding * law.modulus_a, "{eta} {p:e}");
                 assert!(p == 0.0 || eta > TENSION_GONE);
             }
-            // Small tension is untouched: a solid pulls by its own law.
+            // Small tension is that of the law.
             let (p, _) = law.pressure(0.96 * law.rho_0, 0.0);
             let mu = 0.96 - 1.0;
             assert!((p / (law.modulus_a * mu + law.modulus_b[1] * mu * mu) - 1.0).abs() < 1e-12);

@@ -18,7 +18,7 @@ use crate::random::uniform_pair;
 /// Euler's constant, to the digits of the original assignment's mean.
 const EULER: f64 = 0.577;
 
-/// What the flaws of a body's particles have in common. Logarithms, as k V may be 1e61.
+/// Parameters of the flaws of a body's particles. Logarithms, as k V may be 1e61.
 #[derive(Debug, Clone, Copy)]
 pub struct Flaws {
     seed: u64,

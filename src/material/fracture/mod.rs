@@ -13,10 +13,10 @@
 //! In porous bodies the strain is that of the matrix: of alpha sigma, as both moduli of the body are those of the matrix over
 //! alpha. Compaction adds its own growth of D^(1/3) (Jutzi et al. 2008, eq. 59; see `porosity`), up to D = 1.
 //!
-//! How many flaws a particle has, and at which strains they open, see `flaws`.
+//! For the number of a particle's flaws, and the strains at which they open, see `flaws`.
 //!
-//! Damage acts through a view of the stress (see `damage`) and is never written back into it; on shear of matter with friction
-//! through its yield strength alone (see `strength`).
+//! Damage weakens the acting stress (see `damage`) and is never written back into it; it acts on shear of matter with friction
+//! through the yield strength alone (see `strength`).
 //! Columns: owns `damage` and `activation_threshold`. D grows in `commit` alone and never decreases.
 //! Time step: none; at a Courant number of 0.25 and with 12 active flaws D^(1/3) grows by 0.11 per step.
 
@@ -97,7 +97,7 @@ impl Brittle {
         let law = material.eos.law();
         let (bulk, density, shear) = (law.bulk_modulus()?, law.reference_density()?, strength.shear_modulus.0);
         let constants = &setup.constants[body];
-        // In 2D a particle stands for a cube: its flaws must not depend on the metre of depth that its mass refers to.
+        // In 2D a particle represents a cube: its flaws must not depend on the metre of depth that its mass refers to.
         let volume = libm::pow(constants.particle_mass / constants.density, 3.0 / setup.dimension as f64);
         let sound = ((bulk + 4.0 / 3.0 * shear) / density).sqrt();
         Some(Self {
@@ -186,7 +186,7 @@ impl MaterialEffect for Fracture {
         let (id, damage, threshold) = (local.view(self.id), local.view(self.damage), local.view(self.threshold));
         for (brittle, range) in self.bodies.runs(local) {
             for i in range {
-                // Joints are there already.
+                // Joints have damage from the start.
                 damage.set(i, damage.get(i).max(brittle.initial_damage));
                 threshold.set(i, brittle.flaws.weakest(id.get(i)));
             }
@@ -211,7 +211,7 @@ impl MaterialEffect for Fracture {
                     (s, p) = (s.scaled(alpha), alpha * p);
                 }
                 if brittle.friction {
-                    s = s.scaled(1.0 / intact); // the damage is in it
+                    s = s.scaled(1.0 / intact); // the yield strength accounts for damage
                 }
                 let strain = brittle.strain_above(threshold.get(i), &s, p, intact);
                 if let Some(strain) = strain {
@@ -336,7 +336,7 @@ mod tests {
         assert!(rises > 10 && last > 0.0, "{rises} {last}");
     }
 
-    /// The same spacing gives the same flaws in 2D, where the mass is that of a metre of depth, as in 3D.
+    /// One spacing gives the same flaws in 2D, where the mass is that of a metre of depth, as in 3D.
     #[test]
     fn flaws_do_not_depend_on_the_metre_of_depth() {
         let spacing: f64 = 0.02;
@@ -388,8 +388,8 @@ mod tests {
         assert_eq!(gas.columns.registry.integrated.len(), 2, "density and energy");
     }
 
-    /// Whether damage of this much grows under a stress that pulls by `share` of what the weakest flaw bears, by shear or by
-    /// pressure, in matter with this distention.
+    /// Whether damage of this value grows under a tensile stress that is `share` of the one at which the weakest flaw opens, by
+    /// shear or by pressure, in matter with this distention.
     fn grows(material: &MaterialTable, damage: f64, distention: f64, share: f64, by_shear: bool) -> bool {
         let mut rig = Rig::new(material.clone());
         let (bulk, shear) = (26.7e9, 22.7e9);
@@ -427,7 +427,7 @@ mod tests {
         }
     }
 
-    /// With friction the deviator has the damage in it; what is left of the matter bears all of it: S / (1 - D).
+    /// With friction the deviator is the damaged one; the intact part of the matter bears all of it: S / (1 - D).
     #[test]
     fn flaws_feel_the_stress_of_what_is_left_whatever_the_law_of_yield() {
         let mut rock = basalt();

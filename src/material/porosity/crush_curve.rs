@@ -6,7 +6,7 @@
 //! measured     between points (P, alpha), monotone cubics in ln P (Fritsch & Carlson 1980, SIAM J. Numer. Anal. 17, 238)
 //! ```
 //! P pressure, P_e at which pores begin to crush, P_s at which none is left, P_t the end of the first slope, Pa; alpha_e
-//! distention at P_e, alpha_t what the second slope alone would have there.
+//! distention at P_e, alpha_t the distention of the second slope alone at P_e.
 //!
 //! A body with another distention than its material's takes the curve scaled: alpha - 1 by (alpha_0 - 1) over that of the
 //! material.
@@ -150,7 +150,7 @@ pub struct CrushCurve {
     /// Pa.
     p_e: f64,
     p_s: f64,
-    /// As given: what the form makes of P_e may be off in the last digits, and no pore may give way without load.
+    /// As given: evaluated at P_e the form may be off in the last digits, and no pore may collapse without load.
     alpha_e: f64,
     form: Form,
 }
@@ -312,8 +312,8 @@ mod tests {
         assert!((curve.at(1.495e7).0 - 1.9).abs() < 1e-3);
     }
 
-    /// A curve that is sampled and interpolated is the curve, to the fourth order of the spacing of its points; it never
-    /// overshoots.
+    /// A curve that is sampled and interpolated agrees with the original, to the fourth order of the spacing of its points; it
+    /// never overshoots.
     #[test]
     fn measured_curves_are_followed_monotonically() {
         let exact = CrushCurve::new(&CurveTable::TwoSlope(&pumice()), 1.0, 4.64);

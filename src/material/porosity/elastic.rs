@@ -1,4 +1,4 @@
-//! Elastic pores (Jutzi et al. 2008, eqs 6-7; Herrmann 1969): below the crush curve distention follows pressure and comes back.
+//! Elastic pores (Jutzi et al. 2008, eqs 6-7; Herrmann 1969): below the crush curve distention follows pressure reversibly.
 //!
 //! ```text
 //! d alpha / dP = alpha^2 / K_0 (1 - 1 / h^2)    h = 1 + (alpha - 1) (c_e - c_0) / (c_0 (alpha_e - 1))    K_0 = c_0^2 rho_s0
@@ -7,8 +7,8 @@
 //! speeds of sound of the matrix and of the porous body at alpha_e, m/s: 1/c^2 = 1/c_0^2 - rho_s / alpha^2 d alpha / dP, so that
 //! sound runs with h c_0.
 //!
-//! With x = alpha - 1, h = 1 + s x, the equation is solved in closed form. P = F(x) - F(x_r) is the line on which a body that
-//! has x_r without load moves:
+//! With x = alpha - 1, h = 1 + s x, the equation is solved in closed form. P = F(x) - F(x_r) is the line of states of a body
+//! that has x_r without load:
 //!
 //! ```text
 //! F = K_0 / s [ ln(x) / 2 - e ln(2 + s x) + (e - 1/2) ln(1 + x) - C / (1 + x) ]    e = s^2 / (2 (s - 2)^2)    C = (1 - s)^2 / (s - 2)
@@ -66,7 +66,7 @@ impl Elastic {
         if alpha_0 <= 1.0 {
             return None;
         }
-        // alpha_e stands in h itself: bisection, once for a body.
+        // h depends on alpha_e: bisection, once for a body.
         let (mut low, mut high) = (1.0 + 0.5 * (alpha_0 - 1.0), alpha_0);
         loop {
             let middle = 0.5 * (low + high);

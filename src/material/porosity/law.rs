@@ -1,26 +1,26 @@
-//! The state of porous matter from its density, its energy and the pores it has left.
+//! The state of porous matter from its density, its energy and its remaining pores.
 //!
 //! ```text
 //! P = P_s(alpha rho, u) / alpha                                    Jutzi et al. 2008, eq. 3 (Carroll & Holt 1972)
 //! P-alpha      alpha = alpha_crush(P) on first loading             rho-alpha: with P at u = 0    epsilon-alpha: alpha(rho)
 //! f = 1 + rho / alpha d alpha / d rho                              eq. 53
 //! ```
-//! P-alpha is solved for alpha, as the return to a yield surface is: a trial state with the pores of before; where it lies beyond
-//! the crush curve, the state on the curve that has this density and energy. So alpha stands on the curve whatever the step,
+//! P-alpha is solved for alpha, as the return to a yield surface is: a trial state with the previous pores; where it lies beyond
+//! the crush curve, the state on the curve that has this density and energy. So alpha is on the curve whatever the step,
 //! unloading and loading again change nothing, and P >= P_s leaves alpha = 1 exactly. Rates (eqs 24-25) drift off the curve, and
-//! ratchet where loading is told from the sign of dP/dt alone.
+//! ratchet where loading is inferred from the sign of dP/dt alone.
 //!
 //! f for P-alpha without a division by the rate of density, with du = P / rho^2 drho:
 //!
 //! ```text
 //! f = { alpha + alpha' P [1 + P_u / (alpha rho)] } / { alpha + alpha' [P - rho P_rho] }      alpha' = d alpha / dP
 //! ```
-//! Sound runs with the speed of unloading and of the elastic branch. Compression that crushes pores runs slower by far,
+//! Sound travels with the speed of unloading and of the elastic branch. Compression that crushes pores is much slower,
 //!
 //! ```text
 //! c_load^2 = dP/drho = f P_rho + P_u P / (alpha rho^2) + (1 - f) P / rho
 //! ```
-//! with f bounded from below by 0. Viscosity may go by this (`viscosity.speed = "loading"`): with c_s it spreads a weak wave of
+//! with f bounded from below by 0. Viscosity may use this speed (`viscosity.speed = "loading"`): with c_s it spreads a weak wave of
 //! compaction over many times its width.
 //!
 //! P_u, P_rho derivatives of the matrix pressure P_s. f may be negative: then the matrix expands while the body is compressed
@@ -40,11 +40,11 @@ pub enum Compaction {
     },
     ColdPressure(CrushCurve),
     Strain(StrainLaw),
-    /// Of the late stage: as it is, for good.
+    /// Constant, in the late stage.
     Kept,
 }
 
-/// Whether the pressure of a crush curve knows of heat.
+/// Whether the pressure of a crush curve includes heat.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Heat {
     Counts,
@@ -70,7 +70,7 @@ impl Pores {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Porous {
     pub compaction: Compaction,
-    /// Of the matrix.
+    /// Equation of state of the matrix.
     pub eos: Eos,
     /// Square of the matrix's bulk speed of sound at rest, m^2/s^2.
     pub sound2_at_rest: f64,
@@ -78,7 +78,7 @@ pub struct Porous {
     pub initial: f64,
 }
 
-/// What became of it.
+/// State of porous matter at a density and energy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
     pub distention: f64,
@@ -90,7 +90,7 @@ pub struct State {
     pub sound_speed: f64,
     /// c_load, m/s.
     pub loading_speed: f64,
-    /// f, not bounded; 1 where no pore gives way.
+    /// f, not bounded; 1 where no pore collapses.
     pub stress_factor: f64,
 }
 
@@ -218,7 +218,7 @@ impl Porous {
 }
 
 impl State {
-    /// The same with the speed of sound where pores give way elastically: dP/drho on the line.
+    /// This state with the speed of sound of elastic pores: dP/drho on the line.
     fn slowed(self, rho: f64, by_p: f64) -> Self {
         let c2 = self.sound_speed * self.sound_speed;
         let give = 1.0 - by_p * (c2 * rho - self.pressure) / self.distention;
@@ -259,8 +259,8 @@ mod tests {
     use super::super::testing::{aluminium, ice, simple};
     use super::*;
 
-    /// alpha stands on the curve after any step, the pressure is the matrix's over alpha, and nothing changes when the same
-    /// state is looked at again.
+    /// alpha is on the curve after any step, the pressure is the matrix's over alpha, and nothing changes when the same
+    /// state is evaluated again.
     #[test]
     fn states_lie_on_or_below_the_crush_curve() {
         for porous in [simple(3.0, 2.0), aluminium(1.275), ice(3.0)] {
@@ -291,7 +291,7 @@ mod tests {
         }
     }
 
-    /// Load, unload, load again, ten times between 2.0e8 and 3.5e8 Pa: alpha stays where the largest pressure put it. Telling
+    /// Load, unload, load again, ten times between 2.0e8 and 3.5e8 Pa: alpha stays where the largest pressure put it. Inferring
     /// loading from the sign of dP/dt alone would end at alpha = 1.
     #[test]
     fn cycles_of_load_do_not_ratchet() {
@@ -317,8 +317,8 @@ mod tests {
         assert!((unloaded - first).abs() < 1e-8, "{unloaded} {first}");
     }
 
-    /// Newton's steps are few, so that pores cost little: with the bracket asked before the change they were 16 in the mean, and up
-    /// to 50.
+    /// Newton's steps are few, so that pores cost little: with the bracket tested before convergence they were 16 in the mean, and
+    /// up to 50.
     #[test]
     fn roots_are_found_in_few_steps() {
         let porous = aluminium(1.275);
@@ -389,7 +389,7 @@ mod tests {
         }
     }
 
-    /// rho-alpha knows of no heat, and so its factor is the same whatever the energy, cold matter included.
+    /// rho-alpha does not include heat, and so its factor is the same whatever the energy, cold matter included.
     #[test]
     fn the_factor_of_rho_alpha_does_not_depend_on_heat() {
         let porous = super::super::testing::cold(3.0);
@@ -409,7 +409,7 @@ mod tests {
         }
     }
 
-    /// Under tension and far expansion pores stay as they are; nothing is ever no number.
+    /// Under tension and far expansion pores stay as they are, and all values stay finite.
     #[test]
     fn expansion_leaves_pores_alone() {
         for porous in [simple(3.0, 2.0), aluminium(1.275), ice(3.0)] {

@@ -8,14 +8,15 @@
 //! rho density of the body, rho_s that of the matrix, kg/m^3; alpha distention, alpha_0 that at the start; P pressure of the body,
 //! P_s equation of state of the matrix, Pa; u specific internal energy, of both, J/kg; D damage.
 //!
-//! How alpha follows from density and energy, see `law`: by pressure (P-alpha), by pressure without heat (rho-alpha), by strain
-//! (epsilon-alpha). alpha never grows but along the elastic branch, and changes in `update` alone, from what it was
+//! alpha follows from density and energy (see `law`) by pressure (P-alpha), by pressure without heat (rho-alpha) or by strain
+//! (epsilon-alpha). alpha grows along the elastic branch only, and changes in `update` alone, from its value
 //! when the last step was accepted: an integrator that tries a state sets it back before it tries another.
 //!
 //! Columns: owns `distention`, `unloaded_distention` where pores are elastic, `stress_factor` (f of eq. 53, which `strength`
-//! reads), `loading_speed` where viscosity goes by it (longitudinal, of further compression; `strength` stiffens it), and, where a porous material can break, `compaction_damage` (growth of D^(1/3) in this step, which `fracture` adds to
-//! its own). Sets the core columns `pressure` and `sound_speed` of porous bodies.
-//! Time step: alpha changes by at most 0.2 (alpha_0 - 1), so that a collapse takes steps enough to do its work. With distention
+//! reads), `loading_speed` where viscosity uses it (longitudinal, of further compression; `strength` stiffens it), and, where a
+//! porous material can break, `compaction_damage` (growth of D^(1/3) in this step, which `fracture` adds to its own). Sets the core
+//! columns `pressure` and `sound_speed` of porous bodies.
+//! Time step: alpha changes by at most 0.2 (alpha_0 - 1), so that a collapse is resolved by several steps. With distention
 //! solved for, and the Courant condition beside it, no case was found where the shock's energy depends on this limit.
 
 pub mod crush_curve;
@@ -148,7 +149,7 @@ impl Porous {
         Some(Self { compaction, eos, sound2_at_rest: modulus / density, initial })
     }
 
-    /// D^(1/3) that is left by crushing down to a distention (eq. 57).
+    /// D^(1/3) caused by crushing down to a distention (eq. 57).
     pub fn damage_root(&self, unloaded: f64) -> f64 {
         /// Keeps the growth finite at alpha_0.
         const DELTA: f64 = 0.01;
@@ -178,7 +179,7 @@ fn elastic_strain(eos: &eos::Eos, density: f64, alpha: f64, pressure: f64) -> f6
 pub struct PoreColumns {
     pub distention: Column<f64>,
     pub stress_factor: Column<f64>,
-    /// Where viscosity goes by it.
+    /// Where viscosity uses it.
     pub loading_speed: Option<Column<f64>>,
 }
 
@@ -199,7 +200,7 @@ pub struct Porosity {
     /// Where pores are elastic.
     unloaded: Option<Column<f64>>,
     stress_factor: Column<f64>,
-    /// Where viscosity goes by it.
+    /// Where viscosity uses it.
     loading_speed: Option<Column<f64>>,
     /// Where a porous material can break.
     damage: Option<Column<f64>>,
@@ -225,16 +226,16 @@ impl MaterialEffect for Porosity {
         let distention =
             registry.column(info(DISTENTION, "Density of the matrix over that of the body.", Life::State, true));
         let unloaded = elastic.then(|| {
-            let about = "Distention that would be left without load.";
+            let about = "Distention after release of the load.";
             registry.column(info("unloaded_distention", about, Life::State, false))
         });
-        let about = "Rate of volume of the matrix over that of the body.";
+        let about = "Volumetric strain rate of the matrix over that of the body.";
         let stress_factor = registry.column(info(STRESS_FACTOR, about, Life::Scratch, false));
         let loading_speed = any(MaterialTable::has_loading_speed).then(|| {
             registry.column(ColumnInfo {
                 name: LOADING_SPEED,
                 unit: "m/s",
-                about: "Longitudinal speed of further compression.",
+                about: "Longitudinal wave speed of further compression.",
                 life: Life::Scratch,
                 snapshot: false,
             })
@@ -326,7 +327,7 @@ impl MaterialEffect for Porosity {
                 continue;
             }
             for i in range {
-                let divergence = local.motion[i].velocity_gradient.trace();
+                let divergence = local.flow[i].velocity_gradient.trace();
                 let rate =
                     distention_rate(stress_factor.get(i), divergence) * distention.get(i) / (porous.initial - 1.0);
                 if -rate > fastest.0 {
@@ -350,7 +351,7 @@ impl MaterialEffect for Porosity {
     }
 }
 
-/// d ln(alpha) / dt of matter with the factor f that is compressed; nothing moves back.
+/// d ln(alpha) / dt of matter with the factor f under compression; zero in expansion.
 #[inline]
 pub fn distention_rate(stress_factor: f64, divergence: f64) -> f64 {
     if divergence < 0.0 { (1.0 - stress_factor) * divergence } else { 0.0 }
@@ -358,10 +359,10 @@ pub fn distention_rate(stress_factor: f64, divergence: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::strength::DEVIATORIC_STRESS;
-    use super::super::testing::{Rig, basalt};
     use super::super::Records;
     use super::super::damage::DAMAGE;
+    use super::super::strength::DEVIATORIC_STRESS;
+    use super::super::testing::{Rig, basalt};
     use super::testing::material;
     use super::*;
     use crate::math::{Deviator, Mat3, Vec3};
@@ -381,7 +382,7 @@ mod tests {
         Mat3::from_diagonal(&Vec3::new(-along_x, -along_y, -along_y))
     }
 
-    /// A rigid turn by 45 degrees at alpha = 3: diag(1, -1, 0) becomes S_xy = 1. Spin terms over alpha, as public codes have
+    /// A rigid rotation by 45 degrees at alpha = 3: diag(1, -1, 0) becomes S_xy = 1. Spin terms over alpha, as public codes have
     /// them, would give 0.50.
     #[test]
     fn stress_turns_with_the_body_whatever_its_pores() {
@@ -501,7 +502,7 @@ mod tests {
         assert_eq!([0, 1, 2].map(|body| (rig.get_of(body, rig.core.density.value)).round()), [900.0, 2700.0, 1800.0]);
     }
 
-    /// The limit asks for five steps and more for a whole collapse.
+    /// The limit requires five steps or more for a whole collapse.
     #[test]
     fn steps_follow_the_collapse() {
         let mut rig = Rig::new(unbreakable(3.0));

@@ -8,7 +8,7 @@
 //! eps < eps_c             alpha = 1                                      eps_c = eps_X + 2 (1 - alpha_X) / (kappa alpha_X)
 //! ```
 //! rho density, rho_0 that at the start, kg/m^3; eps_e strain at which pores begin to crush, kappa at most 1: for kappa = 1 the
-//! matrix keeps its density. alpha_X begins the power law, which goes on without a kink; without it the exponential goes down
+//! matrix keeps its density. alpha_X begins the power law, which joins without a kink; without it the exponential continues
 //! to 1.
 
 use schemars::JsonSchema;
@@ -127,7 +127,7 @@ mod tests {
         }
     }
 
-    /// Value and slope go on from branch to branch; slopes agree with differences.
+    /// Value and slope are continuous across branches; slopes agree with differences.
     #[test]
     fn branches_meet_without_a_kink() {
         let law = StrainLaw::new(&table(Some(1.3)), 3.0, 900.0, 0.01);

@@ -23,17 +23,17 @@ pub const ALUMINIUM: &str = r#"{ tillotson = { rho_0 = 2700, a = 0.5, b = 1.63, 
 const ICE: &str = r#"{ tillotson = { rho_0 = 917, a = 0.3, b = 0.1, A = "9.47 GPa", B = "9.47 GPa", E_0 = 1e7, E_iv = 7.73e5,
     E_cv = 3.04e6, alpha = 10, beta = 5 } }"#;
 
-/// That of figures 1 to 3 of Jutzi et al. 2008, rigid pores.
+/// P-alpha with rigid pores: figures 1 to 3 of Jutzi et al. 2008.
 pub fn simple(alpha_0: f64, c: f64) -> Porous {
     matter(&simple_eos(c), "p_alpha = { quadratic = { P_e = 8e7, P_s = 7e8 } }", alpha_0)
 }
 
-/// The same, rho-alpha.
+/// rho-alpha with the crush curve of [`simple`].
 pub fn cold(alpha_0: f64) -> Porous {
     matter(&simple_eos(2.0), "rho_alpha = { quadratic = { P_e = 8e7, P_s = 7e8 } }", alpha_0)
 }
 
-/// The same, epsilon-alpha.
+/// epsilon-alpha with the matrix of [`simple`].
 pub fn strained(alpha_0: f64) -> Porous {
     matter(&simple_eos(2.0), "epsilon_alpha = { kappa = 0.98, P_e = 8e7, alpha_X = 1.2 }", alpha_0)
 }

@@ -3,24 +3,24 @@
 //! ```text
 //! dS/dt = 2 mu (e - tr(e)/3) + Omega S - S Omega     Jutzi et al. 2008, eqs 31-32 with the sign of the spin corrected
 //! e = (L + L^T)/2    Omega = (L - L^T)/2
-//! S -> S min(1, Y / sqrt(3 J2)) or S min(1, Y / sqrt(J2)), as the law of `yield_law` says; J2 = S:S / 2
+//! S -> S min(1, Y / sqrt(3 J2)) or S min(1, Y / sqrt(J2)), depending on the law of `yield_law`; J2 = S:S / 2
 //! c_L^2 = c^2 + 4 mu / (3 rho)
 //! ```
 //! S deviatoric stress, mu shear modulus, Y yield strength, Pa; e strain rate, Omega spin, 1/s; c, c_L bulk and longitudinal
 //! speed of sound, m/s. In 2D this is plane strain: S_zz = -(S_xx + S_yy) counts in J2.
 //!
 //! In porous bodies S is that of the body, S_s / alpha with S_s of the matrix (Jutzi et al. 2008, eqs 45-53, with f on Hooke's
-//! term alone, as stress turns with the body whatever its pores do, and S for that of the body throughout):
+//! term alone, as stress rotates with the body whatever its pores do, and S is that of the body throughout):
 //!
 //! ```text
 //! dS/dt = f / alpha 2 mu (e - tr(e)/3) + Omega S - S Omega - S alpha' / alpha    c_L^2 = c^2 + 4 mu / (3 alpha rho)
 //! ```
 //! f of `porosity`, within 0 and 1; alpha' the rate of distention alpha. Y does not depend on alpha.
 //!
-//! Without friction S is the stress of the undamaged matter: damage is a view of it (see `fracture`) and is never written back.
-//! With friction Y knows of the damage, and S is the stress that acts: damage acts on shear in no other way, or broken rock
+//! Without friction S is the stress of the undamaged matter: damage weakens the acting stress (see `damage`) and is never written
+//! back. With friction Y depends on damage, and S is the acting stress: damage affects shear in no other way, or broken rock
 //! under pressure would bear none. Y then needs the pressure, so that S returns to its surface when that is known, at the state
-//! that the pair loop sees; damage is that of the step before.
+//! of the pair loop; damage is that of the step before.
 //! Columns: owns `deviatoric_stress`; stiffens the core column `sound_speed`.
 //! Time step: none of its own; the Courant condition uses the longitudinal speed.
 
@@ -87,7 +87,7 @@ struct Solid {
     shear_modulus: f64,
     yields: Yield,
     friction: bool,
-    /// Damage of bodies that cannot break further.
+    /// Constant damage of bodies without fracture.
     damage: f64,
     can_break: bool,
     /// Density of the matrix below which shear waves get no faster, kg/m^3.
@@ -116,7 +116,7 @@ pub struct Strength {
     solids: PerBody<Solid>,
     stress: Integrated<Deviator>,
     density: Column<f64>,
-    /// Where an equation of state has one; heat weakens nothing otherwise.
+    /// Where an equation of state has one; without it heat does not weaken.
     energy: Option<Column<f64>>,
     pressure: Column<f64>,
     sound_speed: Column<f64>,
@@ -141,7 +141,7 @@ impl MaterialEffect for Strength {
         });
         let energy = registry.find(eos::INTERNAL_ENERGY);
         if energy.is_none() && setup.materials.iter().any(MaterialTable::melts) {
-            return Err(Error::new("strength is to melt, but no equation of state has an internal energy"));
+            return Err(Error::new("strength falls with heat, but no equation of state has an internal energy"));
         }
         let breaks = |body| solids.of(body).is_some_and(|solid: &Solid| solid.friction && solid.can_break);
         let damage = (0..setup.constants.len()).any(breaks).then(|| damage_column(registry));
@@ -172,7 +172,7 @@ impl MaterialEffect for Strength {
                 continue;
             }
             for i in range {
-                let gradient = &local.motion[i].velocity_gradient;
+                let gradient = &local.flow[i].velocity_gradient;
                 let elastic = Deviator::of(&Sym::symmetric_part(gradient), 2.0 * solid.shear_modulus);
                 rate.set(i, elastic.plus(&stress.get(i).turned_by(gradient)));
             }
@@ -240,9 +240,9 @@ impl Strength {
         let (stress, rate) = (local.view(self.stress.value), local.rate(self.stress));
         let (distention, stress_factor) = (local.view(pores.distention), local.view(pores.stress_factor));
         for i in range {
-            let gradient = &local.motion[i].velocity_gradient;
+            let gradient = &local.flow[i].velocity_gradient;
             let (divergence, factor) = (gradient.trace(), stress_factor.get(i));
-            // Pores that gave way do not come back: the matrix follows an expansion alone.
+            // Collapsed pores do not reopen: in expansion the matrix takes all of the strain.
             let share = if divergence < 0.0 { factor.clamp(0.0, 1.0) } else { 1.0 };
             let modulus = 2.0 * solid.shear_modulus * share / distention.get(i);
             let s = stress.get(i);
@@ -295,8 +295,8 @@ mod tests {
         assert_eq!(returned(&stress, 3.0, yields.strength(5e6)), Some(Deviator::default()));
     }
 
-    /// A rigid rotation by 45 degrees turns diag(1, -1, 0) into S_xy = 1 and keeps J2. The scheme turns by z = 2 dtheta
-    /// per step with a phase error of order z^3, so that the sum stays below z^2 times the angle turned in the stress's
+    /// A rigid rotation by 45 degrees turns diag(1, -1, 0) into S_xy = 1 and keeps J2. The scheme rotates by z = 2 dtheta
+    /// per step with a phase error of order z^3, so that the sum stays below z^2 times the angle of rotation in the stress's
     /// plane.
     #[test]
     fn rotation_turns_stress_and_keeps_j2() {
@@ -316,7 +316,7 @@ mod tests {
         assert_eq!(rig.get(rig.core.density.value), 2700.0);
     }
 
-    /// Basalt with the library's friction, of damage that stays.
+    /// Basalt with the library's friction and constant damage.
     fn rock(melting: bool) -> MaterialTable {
         let mut rock = without_fracture(basalt());
         let strength = rock.strength.as_mut().unwrap();
@@ -337,11 +337,11 @@ mod tests {
         for damage in [0.0, 0.25, 0.7, 1.0] {
             for (strain, steps) in [(-1e-4, 10), (-1e-2, 10), (3e-3, 10)] {
                 let mut rig = Rig::with_records(vec![rock(false)], Default::default(), damage);
-                let squeeze = Mat3::from_diagonal_element(strain / 3.0 / steps as f64);
+                let compression = Mat3::from_diagonal_element(strain / 3.0 / steps as f64);
                 let shear = Mat3::new(0.0, 1e-3, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-                rig.step(&squeeze, 0.0);
+                rig.step(&compression, 0.0);
                 for _ in 0..steps {
-                    rig.step(&squeeze, 1.0);
+                    rig.step(&compression, 1.0);
                 }
                 rig.step(&shear, 0.0);
                 for _ in 0..60 {
@@ -354,21 +354,21 @@ mod tests {
                 let broken = (0.8 * p).clamp(0.0, intact);
                 let expected = (1.0 - damage) * intact + damage * broken;
                 let found = rig.get(stress_column(&rig)).j2().sqrt();
-                // The corrector turns the returned stress by the spin of half a step.
+                // The corrector rotates the returned stress by the spin of half a step.
                 assert!((found - expected).abs() <= 1e-6 * expected, "D {damage}, P {p}: {found} {expected}");
             }
         }
     }
 
-    /// Friction heats: what shear does goes into the matter, which melts in the end and bears nothing.
+    /// Friction heats: the work of shear heats the matter, which melts in the end and bears nothing.
     #[test]
     fn rubbing_heats_and_melts() {
         let mut rig = Rig::with_records(vec![rock(true)], Default::default(), 1.0);
-        let squeeze = Mat3::from_diagonal_element(-1e-3);
+        let compression = Mat3::from_diagonal_element(-1e-3);
         let shear = Mat3::new(0.0, 1e-2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-        rig.step(&squeeze, 0.0);
+        rig.step(&compression, 0.0);
         for _ in 0..10 {
-            rig.step(&squeeze, 1.0);
+            rig.step(&compression, 1.0);
         }
         rig.step(&shear, 0.0);
         for _ in 0..100 {

@@ -1,4 +1,4 @@
-//! How much shear matter bears.
+//! Yield strength: how much shear matter bears.
 //!
 //! ```text
 //! von Mises         sqrt(3 J2) <= Y    Y = Y_M m(u)                                       Benz & Asphaug 1995
@@ -6,14 +6,14 @@
 //!                       Y_i = [Y_0 + mu_i P / (1 + mu_i P / (Y_M - Y_0))] m(u)            Lundborg 1968; Collins et al. 2004
 //!                       Y_d = Y_c + mu_d P
 //! Drucker-Prager    sqrt(J2)   <= Y    Y = min(Y_0 + mu P, Y_M) m(u)
-//! m(u) = max(0, 1 - u / u_melt)                                                           where `melting` is asked for
+//! m(u) = max(0, 1 - u / u_melt)                                                           where `melting` is given
 //! ```
 //! P pressure of the body, D damage, u specific internal energy, J/kg; Y_M largest strength at any pressure, Y_0 and Y_c cohesion
 //! of intact and of broken matter, Pa; mu_i, mu_d, mu coefficients of friction. Each law states which invariant it bounds: a
 //! number Y bears sqrt(3) times as much if sqrt(J2) is compared. A friction angle phi is mu = sin(phi) in plane shear and
 //! 6 sin(phi) / (sqrt(3) (3 - sin(phi))) in triaxial compression.
 //!
-//! In tension (P < 0) intact matter keeps Y_0, as flaws and not shear decide there; friction falls on along its line to zero
+//! In tension (P < 0) intact matter keeps Y_0, as flaws and not shear limit stress there; friction falls along its line to zero
 //! at P = -Y_c / mu_d (broken matter without cohesion bears none). Y of a porous body takes the pressure of the body, not of
 //! its matrix, and does not depend on alpha.
 
@@ -70,7 +70,7 @@ pub struct Yield {
 }
 
 impl StrengthTable {
-    /// Checks the law's own numbers.
+    /// Checks the parameters of the law.
     pub(super) fn validate_law(&self, place: &str) -> Result<()> {
         let largest = self.yield_strength.0;
         let below = |table: &str, cohesion: Pressure| {
@@ -102,7 +102,7 @@ impl StrengthTable {
         }
     }
 
-    /// Whether pressure decides how much shear matter bears. Damage then acts on shear through the yield strength alone.
+    /// Whether yield strength depends on pressure. Damage then acts on shear through the yield strength alone.
     pub fn has_friction(&self) -> bool {
         self.collins.is_some() || self.drucker_prager.is_some()
     }
@@ -189,7 +189,7 @@ mod tests {
         near(rock.strength_under(1e8, 0.25, 0.0), 0.75 * (9e7 + 2e8 / (1.0 + 2e8 / 3.41e9)) + 0.25 * 8e7);
         // Broken rock is never stronger than intact rock.
         near(rock.strength_under(1e10, 1.0, 0.0), rock.strength_under(1e10, 0.0, 0.0));
-        // Heat: half-way to melting intact rock bears half; friction stays as long as it is below that.
+        // Heat: half-way to melting intact rock has half of its strength; friction does not change while it is below that.
         near(rock.strength_under(0.0, 0.0, 1.7e6), 4.5e7);
         near(rock.strength_under(1e7, 1.0, 1.7e6), 8e6);
         assert_eq!(rock.strength_under(1e9, 1.0, 4e6), 0.0);
@@ -234,16 +234,16 @@ mod tests {
 
     #[test]
     fn laws_are_checked() {
-        let said = |law: &str| table(law).validate_law("strength").map_err(|e| e.to_string());
-        assert_eq!(said(ROCK), Ok(()));
+        let checked = |law: &str| table(law).validate_law("strength").map_err(|e| e.to_string());
+        assert_eq!(checked(ROCK), Ok(()));
         let two = format!("{ROCK}\ndrucker_prager = {{ cohesion = 0, friction = 0.4 }}");
-        assert!(said(&two).unwrap_err().contains("two laws of yield"));
+        assert!(checked(&two).unwrap_err().contains("two laws of yield"));
         let strong = ROCK.replace("9e7", "4e9");
-        assert!(said(&strong).unwrap_err().contains("strength.collins.cohesion"));
-        assert!(said(&ROCK.replace("0.8", "-0.8")).unwrap_err().contains("strength.collins.friction"));
+        assert!(checked(&strong).unwrap_err().contains("strength.collins.cohesion"));
+        assert!(checked(&ROCK.replace("0.8", "-0.8")).unwrap_err().contains("strength.collins.friction"));
     }
 
-    /// Heat takes strength from sand as from rock, and from solids without friction.
+    /// Heat weakens sand as it weakens rock, and solids without friction.
     #[test]
     fn melting_weakens_every_law() {
         for law in ["", "drucker_prager = { cohesion = 1e6, friction = 0.4 }"] {

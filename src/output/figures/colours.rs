@@ -1,4 +1,4 @@
-//! Colours: a map from numbers that is even to the eye and survives grey printing, and hues that tell curves apart.
+//! Colours: a map from numbers that is perceptually uniform and readable in grey, and hues that distinguish curves.
 
 use plotters::style::RGBColor;
 
@@ -16,7 +16,7 @@ const MAP: [[f64; 3]; 9] = [
     [253.0, 231.0, 37.0],
 ];
 
-/// Told apart by colour-blind readers too (Okabe and Ito 2008).
+/// Distinct for colour-blind readers too (Okabe and Ito 2008).
 pub const HUES: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),

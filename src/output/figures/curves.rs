@@ -32,7 +32,7 @@ pub struct Series {
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// With its unit.
+    /// Quantity with its unit.
     pub label: String,
     pub logarithmic: bool,
 }
@@ -90,7 +90,7 @@ impl Figure {
             };
             if !series.label.is_empty() {
                 let (strokes, dot) = legend_mark(series.mark);
-                // Every entry has the same shape; a dot that is not wanted hides inside the stroke.
+                // Every entry has the same shape; an unused dot is hidden inside the stroke.
                 let (at_dot, radius) = dot.map_or(((9, 0), 0), |at| (at, 5));
                 drawn.label(&series.label).legend(move |at| {
                     let stroke = |n: usize| strokes.get(n).map_or(vec![], |ends| ends.to_vec());
@@ -153,7 +153,7 @@ impl Figure {
 /// Pixels right and down of a sample's left end in the legend.
 type Offset = (i32, i32);
 
-/// Strokes and dots that stand for a mark in the legend.
+/// Strokes and dots of a mark in the legend.
 fn legend_mark(mark: Mark) -> (Vec<[Offset; 2]>, Option<Offset>) {
     match mark {
         Mark::Line => (vec![[(4, 0), (34, 0)]], None),

@@ -1,5 +1,5 @@
-//! The outcome at a glance: a cut through the bodies. On the left damage, else distention (grey: the first black, none left
-//! white), else density; on the right what has been ejected (dark), where the scene says from which speed on, else peak
+//! Picture of the outcome: a cut through the bodies. On the left damage, else distention (grey: initial black, fully compacted
+//! white), else density; on the right ejecta (dark), where the scene gives an ejection speed, else peak
 //! pressure, else speed.
 
 use std::path::Path;
@@ -28,10 +28,10 @@ const PANEL_WIDTH: i32 = 890;
 const SIZE: (u32, u32) = (2 * PANEL_WIDTH as u32, 820);
 /// Largest over smallest value beyond which a quantity that spans orders of magnitude gets a logarithmic colour bar.
 const SPAN: f64 = 100.0;
-/// Where there is nothing, behind greys.
+/// Background without matter, behind greys.
 const SKY: RGBColor = RGBColor(222, 232, 242);
 
-/// What is to be drawn.
+/// The plane and the quantities to be drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
     pub title: String,
@@ -42,7 +42,7 @@ pub struct Picture {
     pub distention: f64,
 }
 
-/// What a panel shows.
+/// The quantity of a panel.
 struct Quantity {
     title: String,
     unit: &'static str,
@@ -168,7 +168,7 @@ fn style(size: i32) -> TextStyle<'static> {
     ("sans-serif", size).into_font().color(&BLACK)
 }
 
-/// The colours' range: known limits, or what the picture holds without the outermost half per cent.
+/// The colours' range: known limits, or the values in the picture without the outermost half per cent.
 fn colour_scale(quantity: &Quantity, values: &[f64]) -> Scale {
     let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
     sorted.sort_by(f64::total_cmp);
@@ -177,7 +177,7 @@ fn colour_scale(quantity: &Quantity, values: &[f64]) -> Scale {
     if quantity.wide && high > 0.0 && high > SPAN * low.max(0.0) {
         let positive = sorted.iter().position(|v| *v > 0.0).unwrap_or(0);
         let low = sorted[positive + (sorted.len() - positive) / 50];
-        // At most four decades: below lies noise.
+        // At most four decades: lower values are noise.
         return Scale { low: low.clamp(1e-4 * high, 0.5 * high), high, logarithmic: true };
     }
     let room = if high > low { 0.0 } else { (1e-3 * high.abs()).max(1e-3) };

@@ -1,4 +1,4 @@
-//! Pictures drawn by the program itself, with a font of its own: no Python, no fonts of the machine.
+//! Pictures drawn by the program itself, with a built-in font: no Python, no fonts of the machine.
 
 pub mod colours;
 pub mod curves;
@@ -23,8 +23,8 @@ static FONT: &[u8] = include_bytes!("../fonts/DejaVuSans.ttf");
 /// The last chunk of every PNG.
 const LAST_CHUNK: [u8; 12] = *b"\0\0\0\0IEND\xae\x42\x60\x82";
 
-/// A picture that could not be drawn is worth a warning: what it shows stands in tables and figures too. For the rank that
-/// speaks.
+/// A picture that could not be drawn gives only a warning: its data are in tables and figures too. For the rank that
+/// logs.
 pub fn or_warn(drawn: Result<()>) {
     if let Err(error) = drawn {
         tracing::warn!("a picture is missing: {error}");
@@ -37,20 +37,20 @@ fn paint(
     size: (u32, u32),
     draw: impl FnOnce(&DrawingArea<BitMapBackend, plotters::coord::Shift>) -> std::result::Result<(), String>,
 ) -> Result<()> {
-    // The name tells the encoder the format.
+    // The encoder takes the format from the name.
     let temporary = path.with_extension("tmp.png");
     let painted = paint_at(&temporary, size, draw).and_then(|()| {
         require_whole(&temporary).map_err(|e| cannot("write", path, e))?;
         fs::rename(&temporary, path).map_err(|e| cannot("rename", &temporary, e))
     });
     if painted.is_err() {
-        // The first error is the one to be told.
+        // The first error is the one to be reported.
         let _ = fs::remove_file(&temporary);
     }
     painted.and_then(|()| sync_directory_of(path)).map_err(|e| e.at(path.display().to_string()))
 }
 
-/// The encoder says nothing of a disk that was full for the last of its bytes.
+/// The encoder does not report a disk that was full for the last of its bytes.
 fn require_whole(path: &Path) -> std::io::Result<()> {
     let mut file = File::open(path)?;
     file.sync_all()?;
@@ -84,7 +84,7 @@ mod tests {
         paint(&path, (40, 30), |_| Ok(())).unwrap();
         let whole = fs::read(&path).unwrap();
         assert!(whole.ends_with(&LAST_CHUNK) && !temporary.exists());
-        // One that cannot be drawn leaves the one that stands there.
+        // A picture that cannot be drawn leaves the existing one.
         assert!(paint(&path, (40, 30), |_| Err("no".into())).is_err());
         assert!(fs::read(&path).unwrap() == whole && !temporary.exists());
         // The place is taken.

@@ -1,5 +1,5 @@
 //! A plane cut through the particles, as a grid of numbers: every rank rasterises its own particles, and the grids are merged
-//! by minima and maxima. No particle leaves its rank, and the picture does not depend on who owns what.
+//! by minima and maxima. No particle leaves its rank, and the picture does not depend on which rank owns which particle.
 
 use crate::domain::comm::Comm;
 use crate::math::Vec3;
@@ -21,7 +21,7 @@ impl Plane {
     }
 }
 
-/// A particle as the picture sees it.
+/// A particle of the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dot {
     pub id: u64,
@@ -40,7 +40,7 @@ pub struct Window {
     pub side: usize,
 }
 
-/// The cut as numbers, rows from the bottom up; NaN where there is nothing.
+/// The cut as numbers, rows from the bottom up; NaN where there is no matter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Raster {
     pub window: Window,
@@ -150,7 +150,7 @@ fn visit(plane: &Plane, window: &Window, dot: &Dot, mut act: impl FnMut(usize, f
     }
 }
 
-/// The values of the winners over all ranks. An id goes as two halves, as minima are taken of 64-bit floats.
+/// The values of the nearest particles of all ranks. An id is reduced as two halves, as minima are taken of 64-bit floats.
 fn merge(nearest: &[f64], owner: &[usize], dots: &[Dot], comm: &Comm) -> [Vec<f64>; 2] {
     let mut best = nearest.to_vec();
     comm.all_min(&mut best);

@@ -40,22 +40,22 @@ impl Scale {
         }
     }
 
-    /// Round numbers on the axis, about `wanted` of them.
-    pub fn ticks(&self, wanted: usize) -> Vec<f64> {
+    /// Round numbers on the axis, about `count` of them.
+    pub fn ticks(&self, count: usize) -> Vec<f64> {
         let decades = if self.logarithmic { libm::log10(self.high / self.low) } else { 0.0 };
         if decades < 0.7 {
-            return self.linear_ticks(wanted);
+            return self.linear_ticks(count);
         }
         let all: &[f64] = if decades < 2.5 { &[1.0, 2.0, 5.0] } else { &[1.0] };
-        let stride = (decades / wanted.max(1) as f64).ceil().max(1.0) as usize;
+        let stride = (decades / count.max(1) as f64).ceil().max(1.0) as usize;
         let (first, last) = (libm::log10(self.low).floor() as i32, libm::log10(self.high).ceil() as i32);
         let exponents = (first..=last).filter(|e| e.rem_euclid(stride as i32) == 0);
         let ticks = exponents.flat_map(|e| all.iter().map(move |m| m * libm::exp10(e as f64)));
         ticks.filter(|x| *x >= self.low && *x <= self.high).collect()
     }
 
-    fn linear_ticks(&self, wanted: usize) -> Vec<f64> {
-        let rough = (self.high - self.low) / wanted.max(1) as f64;
+    fn linear_ticks(&self, count: usize) -> Vec<f64> {
+        let rough = (self.high - self.low) / count.max(1) as f64;
         let power = libm::exp10(libm::log10(rough).floor());
         let step =
             [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|s| *s >= 0.7 * rough).unwrap_or(10.0 * power);

@@ -1,5 +1,5 @@
 //! Error against cost: one curve for each setting, the Pareto front marked, the legend beside the axes, where it hides no
-//! point however many settings there are.
+//! point for any number of settings.
 
 use std::path::Path;
 
@@ -22,19 +22,19 @@ pub struct Curve {
 #[derive(Debug, Clone, PartialEq)]
 pub struct TradeOff {
     pub title: String,
-    /// What the axes show.
+    /// Label of the axis of cost.
     pub cost: String,
     pub error: String,
     pub curves: Vec<Curve>,
-    /// From cheap to dear.
+    /// From cheap to expensive.
     pub front: Vec<(f64, f64)>,
-    /// Errors that were asked for, with their names.
+    /// Requested errors, with their names.
     pub targets: Vec<(String, f64)>,
 }
 
 const CHART: (u32, u32) = (900, 700);
 const ROW: i32 = 27;
-/// Width of a letter of the legend on the average, and what is beside its texts.
+/// Mean width of a letter of the legend, and the width beside its texts.
 const LETTER: f64 = 8.2;
 const SAMPLE: i32 = 52;
 const GREY: RGBColor = RGBColor(150, 150, 150);
@@ -120,7 +120,7 @@ impl TradeOff {
     }
 }
 
-/// Colours come again after their number, with other lines and dots.
+/// When all colours are used they repeat, with other lines and dots.
 fn is_dashed(k: usize) -> bool {
     k / HUES.len() % 2 == 1
 }

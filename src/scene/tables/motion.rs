@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
-use crate::motion::Motion;
+use crate::motion::PrescribedMotion;
 use crate::scene::document::source::Document;
 use crate::scene::values::axis::CoordinateAxis;
 use crate::scene::values::components::Components;
@@ -27,16 +27,23 @@ pub enum MotionTable {
 
 impl MotionTable {
     /// `towards`: the velocity that damping leads back to, m/s.
-    pub fn validate(&self, document: &Document, path: &str, (dimension, towards): (usize, [f64; 3])) -> Result<Motion> {
+    pub fn validate(
+        &self,
+        document: &Document,
+        path: &str,
+        (dimension, towards): (usize, [f64; 3]),
+    ) -> Result<PrescribedMotion> {
         match self {
-            MotionTable::Fixed => Ok(Motion::Prescribed([0.0; 3])),
-            MotionTable::Velocity(components) => components.vector(document, path, dimension).map(Motion::Prescribed),
+            MotionTable::Fixed => Ok(PrescribedMotion::Prescribed([0.0; 3])),
+            MotionTable::Velocity(components) => {
+                components.vector(document, path, dimension).map(PrescribedMotion::Prescribed)
+            }
             MotionTable::Along(axes) => {
                 let mut along = [false; 3];
                 for axis in axes {
                     along[axis.number(document, path, dimension)?] = true;
                 }
-                Ok(Motion::Along(along))
+                Ok(PrescribedMotion::Along(along))
             }
             MotionTable::Damping(Components(times)) => {
                 let (time, until) = match times[..] {
@@ -53,7 +60,7 @@ impl MotionTable {
                         return Err(document.error(path, what).allowed("a time above zero"));
                     }
                 }
-                Ok(Motion::Damped { time: time.0, towards, until: until.map(|until| until.0) })
+                Ok(PrescribedMotion::Damped { time: time.0, towards, until: until.map(|until| until.0) })
             }
         }
     }

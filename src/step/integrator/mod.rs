@@ -1,6 +1,6 @@
 //! How steps are made of evaluations. An evaluation turns a state into rates and changes nothing (`derivatives`); an integrator
-//! owns the columns that it needs beside the state (rates of before, copies), says at which moments of a step rates are wanted,
-//! moves a chunk there, and takes the rates that come back:
+//! owns the columns that it needs beside the state (rates of before, copies), says at which moments of a step it needs rates,
+//! moves a chunk there, and takes the rates:
 //!
 //! ```text
 //! for each stage                      predictor-corrector       Runge-Kutta, for one that may refuse
@@ -11,11 +11,11 @@
 //!     one reduction over ranks
 //! accept: update, commit              has committed             refuse: set back, try less
 //! ```
-//! An integrator that never refuses commits what is irreversible before its evaluation, so that neighbours see it at once; one that
-//! may refuse commits when a step is accepted. Everything is local to a particle; what all ranks must know goes through the
+//! An integrator that never refuses commits irreversible changes before its evaluation, so that they act on neighbours at once; one
+//! that may refuse commits when a step is accepted. Everything is local to a particle; global values go through the
 //! reduction of the stage.
 //!
-//! Adding one: a file here, its key in the scene's `[numerics]`, and the line that joins both where a run is set up.
+//! Adding one: a file here, its key in the scene's `[numerics]`, and the line that selects it where a run is set up.
 
 pub mod predictor_corrector;
 pub mod runge_kutta;
@@ -26,7 +26,7 @@ use crate::particles::{Chunk, Column, Rates, Registry};
 pub use predictor_corrector::PredictorCorrector;
 pub use runge_kutta::RungeKutta;
 
-/// Moves the particles of a run through its steps.
+/// Advances the particles of a run through its steps.
 pub trait Integrator: Send + Sync {
     /// The moment of each evaluation as a share of the step: 0 its beginning, 1 its end; a stage at 0 comes first, if at all.
     fn stages(&self) -> &'static [f64];
@@ -37,13 +37,13 @@ pub trait Integrator: Send + Sync {
     /// Moves a chunk to the moment of a stage that is not at the step's beginning.
     fn advance(&self, chunk: &Chunk, stage: usize, dt: f64);
 
-    /// Takes the rates of a stage; of the last one it brings the chunk to the end of the step, and says what error it sees.
+    /// Takes the rates of a stage; after the last one it brings the chunk to the end of the step, and returns the error.
     fn take(&self, chunk: &Chunk, rates: &Rates, stage: usize, dt: f64) -> StepError;
 
     /// Sets a chunk back to the beginning of the step.
     fn set_back(&self, _chunk: &Chunk) {}
 
-    /// What becomes of a step of `dt` seconds with this error; `speed`: the largest relative velocity of any two particles, m/s.
+    /// Accepts or refuses a step of `dt` seconds with this error; `speed`: the largest relative velocity of any two particles, m/s.
     fn judge(&self, _error: &StepError, _speed: f64, _dt: f64) -> Verdict {
         Verdict::Accept { most: f64::INFINITY }
     }
@@ -54,7 +54,7 @@ pub trait Integrator: Send + Sync {
 pub struct StepError {
     /// m/s.
     pub velocity: f64,
-    /// Of the density, as a share of it.
+    /// Error of the density, relative.
     pub density: f64,
 }
 
@@ -65,16 +65,16 @@ impl StepError {
     }
 }
 
-/// What becomes of a step.
+/// Whether a step is accepted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Verdict {
-    /// It counts; the next one may be `most` seconds long as far as its error says.
+    /// It counts; by its error the next one may be `most` seconds long.
     Accept { most: f64 },
-    /// It is set back; one of so many seconds is tried instead.
+    /// It is set back; one of `next` seconds is tried instead.
     Refuse { next: f64 },
 }
 
-/// The columns that every integrator moves.
+/// The columns that every integrator advances.
 #[derive(Debug, Clone)]
 struct Moved {
     position: Column<Vec3>,
@@ -89,7 +89,7 @@ impl Moved {
     }
 }
 
-/// Adds to a number that stands as its word.
+/// Adds to a number that is stored as a 64-bit word.
 #[inline]
 fn add(value: &std::cell::Cell<u64>, by: f64) {
     value.set((f64::from_bits(value.get()) + by).to_bits());

@@ -4,15 +4,15 @@
 //! predict   x += dt v + dt^2/2 a,   v += dt a + dt^2/2 j,             q += dt q'       (a, q' of the last evaluation)
 //! correct   v += dt/2 (a_new - a) - dt^2/2 j,    j = (a_new - a) / dt,    q += dt/2 (q'_new - q')
 //! ```
-//! for every integrated column q. Positions are not corrected: this is the velocity form of Verlet's scheme, and what is a
-//! neighbour then follows from the prediction alone.
+//! for every integrated column q. Positions are not corrected: this is the velocity form of Verlet's scheme, and
+//! neighbours then follow from the prediction alone.
 //!
 //! The jerk j makes the scheme stable. Without it the pair of v and stress, an oscillator of frequency w, follows the rule of
-//! Adams and Bashforth, in which vibrations that nothing damps grow by (w dt)^4 / 4 per step: an elastic sphere that turned
-//! for 3e4 steps blew up. With the velocity predicted to second order they fade by (w dt)^4 / 8, up to w dt = 0.7, and the
-//! error of their frequency is 2.5 times smaller. One vector per particle buys that; to predict the stress so would take five
-//! numbers and more. Irreversible state (damage) is no integrated column: it grows once per step, at the predicted state, and is
-//! never taken back.
+//! Adams and Bashforth, in which vibrations that nothing damps grow by (w dt)^4 / 4 per step: an elastic sphere that rotated
+//! for 3e4 steps became unstable. With the velocity predicted to second order they decay by (w dt)^4 / 8, up to w dt = 0.7, and the
+//! error of their frequency is 2.5 times smaller. This takes one vector per particle; to predict the stress in the same way would
+//! take five numbers and more. Irreversible state (damage) is no integrated column: it grows once per step, at the predicted state,
+//! and is never taken back.
 //!
 //! Columns: `acceleration`, `jerk`, and a rate for every integrated column.
 
@@ -36,7 +36,7 @@ impl PredictorCorrector {
         let moved = Moved::new(registry, core);
         let kept = |name, unit, about| ColumnInfo { name, unit, about, life: Life::Kept, snapshot: false };
         let acceleration = registry.column(kept("acceleration", "m/s^2", "Acceleration at the last evaluation."));
-        let about = "Change of the acceleration over the last step, by its length.";
+        let about = "Change of the acceleration over the last step, divided by its length.";
         let jerk = registry.column(kept("jerk", "m/s^3", about));
         let rates = moved.integrated.iter().map(|&index| registry.like(index, "_rate", Life::Kept)).collect();
         Self { moved, acceleration, jerk, rates }

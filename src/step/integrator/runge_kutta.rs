@@ -3,13 +3,13 @@
 //!
 //! ```text
 //! k_0 = f(y),    k_1 = f(y + dt k_0),    y' = y + dt/2 (k_0 + k_1)
-//! e = dt/2 |k_1 - k_0|      the difference to Euler's step, which is inside
+//! e = dt/2 |k_1 - k_0|      the difference to Euler's step, which is embedded
 //! ```
-//! for positions, velocities and every integrated column. The error over what is tolerated is E = max(e_v / w, e_rho / rho) / tolerance,
-//! w the largest relative velocity of any two particles. A step with E > 1 is refused; the next one is dt clamp(0.9 / sqrt(E), 1/5, 2)
-//! long, and no longer than what limits steps of any kind.
+//! for positions, velocities and every integrated column. The error over the tolerated one is
+//! E = max(e_v / w, e_rho / rho) / tolerance, w the largest relative velocity of any two particles. A step with E > 1 is refused;
+//! the next one is dt clamp(0.9 / sqrt(E), 1/5, 2) long, and no longer than the limits of any step.
 //!
-//! What is irreversible starts at each stage from the last accepted state. Columns: k_0 of velocities and of every integrated
+//! Irreversible changes start at each stage from the last accepted state. Columns: k_0 of velocities and of every integrated
 //! column, and a copy of every state column.
 
 use std::cell::Cell;
@@ -18,7 +18,7 @@ use super::{Integrator, Moved, StepError, Verdict, add};
 use crate::material::Core;
 use crate::particles::{Chunk, Life, Rates, Registry};
 
-/// Share of the step that the error would just allow.
+/// Next step over the one that the error would just allow.
 const CAUTION: f64 = 0.9;
 /// Bounds of the next step over this one.
 const CHANGE: [f64; 2] = [0.2, 2.0];
@@ -55,7 +55,7 @@ impl RungeKutta {
         }
     }
 
-    /// Sets the state back to y and moves it on by the velocity and the rates of stage 0.
+    /// Sets the state back to y and advances it by the velocity and the rates of stage 0.
     fn euler(&self, chunk: &Chunk, dt: f64) {
         self.set_back(chunk);
         let by = |value: usize, rate: usize| {
@@ -91,7 +91,7 @@ impl RungeKutta {
         };
         let first_of = |word: &Cell<u64>| f64::from_bits(word.get());
         let (position, velocity) = (chunk.words(self.moved.position.index), chunk.words(self.moved.velocity.index));
-        // Before the velocity changes it is that of stage 1.
+        // Here the velocity is still that of stage 1.
         for ((x, first), second) in position.iter().zip(chunk.words(self.velocity_copy)).zip(velocity) {
             mean(x, first_of(first), first_of(second));
         }

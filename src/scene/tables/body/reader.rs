@@ -8,7 +8,7 @@ use super::validated::Body;
 use crate::error::{Error, Result};
 use crate::material::MaterialTable;
 use crate::material::eos::EosTable;
-use crate::motion::Motion;
+use crate::motion::PrescribedMotion;
 use crate::particles::Periods;
 use crate::scene::document::source::Document;
 use crate::scene::geometry::joints::Joints;
@@ -57,7 +57,7 @@ impl BodyReader<'_> {
             internal_energy,
             density,
             distention,
-            motion: Motion::Free,
+            motion: PrescribedMotion::Free,
             flow: self.flow(raw)?,
             blast: self.blast(raw)?,
             rubble,
@@ -116,10 +116,10 @@ impl BodyReader<'_> {
         }
     }
 
-    fn motion(&self, raw: &BodyTable, velocity: [f64; 3]) -> Result<Motion> {
+    fn motion(&self, raw: &BodyTable, velocity: [f64; 3]) -> Result<PrescribedMotion> {
         let path = format!("{}.motion", self.path);
         match &raw.motion {
-            None => Ok(Motion::Free),
+            None => Ok(PrescribedMotion::Free),
             Some(motion) => motion.validate(self.document, &path, (self.dimension, velocity)),
         }
     }

@@ -9,7 +9,7 @@ use super::filling::{COUNTED, is_filled};
 use super::flow::Flow;
 use super::table::InitialState;
 use crate::material::BodyConstants;
-use crate::motion::Motion;
+use crate::motion::PrescribedMotion;
 use crate::scene::geometry::cut::Cut;
 use crate::scene::geometry::joints::Joints;
 use crate::scene::geometry::lattice::Lattice;
@@ -39,7 +39,7 @@ pub struct Body {
     pub density: f64,
     /// Distention at the start, 1 without pores.
     pub distention: f64,
-    pub motion: Motion,
+    pub motion: PrescribedMotion,
     pub flow: Option<Flow>,
     pub blast: Option<Blast>,
     pub rubble: Option<Rubble>,

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::region::{Region, RegionKeys, region};
 use crate::error::Result;
-use crate::motion::Motion;
+use crate::motion::PrescribedMotion;
 use crate::particles::Periods;
 use crate::scene::document::source::Document;
 use crate::scene::geometry::periods::fills;
@@ -41,7 +41,7 @@ pub struct LayerTable {
 pub struct Layer {
     pub region: Region,
     pub outer: Option<Outer>,
-    pub motion: Motion,
+    pub motion: PrescribedMotion,
 }
 
 /// What lies near a body's outer faces: see [`BodyShape::outer_distance`].

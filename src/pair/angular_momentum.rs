@@ -1,17 +1,18 @@
-//! Forces without torque. A force V_i V_j (sigma_i + sigma_j) gW along a stress tensor is not central, and turns what it acts on: with
+//! Conservation of angular momentum. The force V_i V_j (sigma_i + sigma_j) gW of stress tensors is not central: with
 //! M_i = -sum V_j x_ij gW, all forces together exert the torque
 //!
 //! ```text
 //! sum V_i a(sigma_i M_i)           a(A): the axial vector of A - A^T, (A_zy - A_yz, A_xz - A_zx, A_yx - A_xy)
 //! ```
-//! which is nothing inside even matter, where M is 1, but not along surfaces: a pile of blocks at rest begins to turn. An antisymmetric
-//! stress W_i = [w_i]x beside sigma_i takes it away, where (sigma + W) M is symmetric:
+//! which vanishes inside uniform matter, where M is 1, but not along surfaces: a pile of blocks at rest begins to rotate. An
+//! antisymmetric stress W_i = [w_i]x beside sigma_i cancels it, where (sigma + W) M is symmetric:
 //!
 //! ```text
 //! W M + M W = M sigma - sigma M        (tr(M) - M) w = a(M sigma)
 //! ```
-//! Its force is w x gW. Work against it is counted as heat, and then matter that turns as a whole takes up none. M is
-//! followed from the last two evaluations, so that angular momentum is kept to the second order of the step, and exactly by what does not move.
+//! Its force is w x gW. Work against it is counted as heat, which is zero in rigid rotation. M is
+//! extrapolated from the last two evaluations, so that angular momentum is conserved to the second order of the step, and exactly
+//! by matter at rest.
 //! |w| is below the shear in sigma.
 
 use super::Pair;
@@ -21,7 +22,7 @@ use crate::math::{Sym, Vec3};
 /// xx yy zz xy xz yz of eight particles.
 pub type Syms = [[f64; LANES]; 6];
 
-/// w, Pa, of eight particles with these stresses and M; in 2D along z. Zero where M says nothing.
+/// w, Pa, of eight particles with these stresses and M; in 2D along z. Zero where M is degenerate.
 pub fn axials<const D: usize>(s: &Syms, m: &Syms) -> [Vec3; LANES] {
     // SAFETY: `width` names only what the processor has.
     unsafe {
@@ -43,7 +44,7 @@ unsafe fn each_avx512<const D: usize>(s: &Syms, m: &Syms) -> [Vec3; LANES] {
     each::<D>(s, m)
 }
 
-/// A loop that the compiler turns into vectors, without a bit of difference.
+/// A loop that the compiler vectorises, with the same bits.
 #[inline(always)]
 fn each<const D: usize>(s: &Syms, m: &Syms) -> [Vec3; LANES] {
     let at = |t: &Syms, k: usize| Sym { xx: t[0][k], yy: t[1][k], zz: t[2][k], xy: t[3][k], xz: t[4][k], yz: t[5][k] };
@@ -55,7 +56,7 @@ fn each<const D: usize>(s: &Syms, m: &Syms) -> [Vec3; LANES] {
     std::array::from_fn(|k| Vec3::new(w[0][k], w[1][k], w[2][k]))
 }
 
-/// w, Pa, of a particle with this stress and M. In 2D along z, and only xx, yy, xy count. Zero where M says nothing.
+/// w, Pa, of a particle with this stress and M. In 2D along z, and only xx, yy, xy count. Zero where M is degenerate.
 #[inline(always)]
 fn axial<const D: usize>(s: &Sym, m: &Sym) -> Vec3 {
     if D == 2 {
@@ -88,7 +89,7 @@ fn solved(n: &Sym, a: &Vec3) -> Vec3 {
     ) * f
 }
 
-/// Least determinant over the cube of the trace; 1/27 in even matter.
+/// Least determinant over the cube of the trace; 1/27 in uniform matter.
 const LEAST: f64 = 1e-4;
 
 /// W : L, W/m^3, for the uncorrected gradient L, row by row.
@@ -158,7 +159,7 @@ mod tests {
         Mat3::new(0.0, -w.z, w.y, w.z, 0.0, -w.x, -w.y, w.x, 0.0)
     }
 
-    /// (sigma + W) M is symmetric, rigid rotation does no work, and even neighbourhoods need no W.
+    /// (sigma + W) M is symmetric, rigid rotation does no work, and uniform neighbourhoods need no W.
     #[test]
     fn no_torque_is_left() {
         for seed in 0..50 {
