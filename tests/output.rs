@@ -7,7 +7,7 @@ use std::process::Command;
 use crate::common;
 use sph_mpi::domain::comm::Comm;
 use sph_mpi::error::Result;
-use sph_mpi::material::{BodyConstants, Core, declare_core};
+use sph_mpi::material::{BodyConstants, Core, MaterialTable, ParticleView, Setup, declare_core};
 use sph_mpi::math::{Deviator, Vec3};
 use sph_mpi::output::collective::CollectiveFile;
 use sph_mpi::output::figures::cut::{self, Picture};
@@ -78,13 +78,28 @@ fn scene(dimension: usize, comm: &Comm, gap: Option<usize>) -> Scene {
     Scene { columns, core, damage }
 }
 
+/// Both bodies are of a material of which nothing else is asked.
+fn view(scene: &Scene) -> ParticleView {
+    let gas: MaterialTable = toml::from_str("eos = { ideal_gas = { gamma = 1.4 } }").expect("a material");
+    let setup = Setup {
+        dimension: scene.columns.registry.dimension,
+        materials: &[gas],
+        body_material: &[0, 0],
+        constants: &BODIES,
+        initial_damage: &[0.0, 0.0],
+        records: Default::default(),
+        smoothing_length: None,
+    };
+    ParticleView::new(&setup, &scene.columns.registry, scene.core)
+}
+
 fn write_snapshot(path: &Path, dimension: usize, storage: Storage, comm: &Comm) -> bool {
     // On three ranks, the middle one has nothing and must take part all the same.
     let scene = scene(dimension, comm, (comm.size() == 3).then_some(1));
     let figures = [("energy_drift".to_string(), 1e-5)];
-    let (columns, bodies) = (&scene.columns, &BODIES[..]);
+    let (columns, view) = (&scene.columns, &view(&scene));
     let text = "title = \"über\"";
-    let snapshot = Snapshot { columns, bodies, time: 1.5, step: 7, scene: text, figures: &figures, storage };
+    let snapshot = Snapshot { columns, view, time: 1.5, step: 7, scene: text, figures: &figures, storage };
     snapshot.write(path, comm).unwrap()
 }
 

@@ -14,6 +14,9 @@ use super::solution::{Place, Profile};
 use crate::domain::comm::Comm;
 use crate::error::Result;
 use crate::exact::State;
+use crate::material::eos::INTERNAL_ENERGY;
+use crate::material::porosity::DISTENTION;
+use crate::material::strength::DEVIATORIC_STRESS;
 use crate::math::{Deviator, ExactSum, Vec3};
 use crate::output::agree;
 use crate::output::figures::curves::{Axis, Figure, Mark, Series};
@@ -126,9 +129,9 @@ pub fn compare<const D: usize>(
     let registry = &stepper.columns.registry;
     let reader = Reader {
         stepper,
-        deviator: registry.find("deviatoric_stress"),
-        energy: registry.find("internal_energy"),
-        distention: registry.find("distention"),
+        deviator: registry.find(DEVIATORIC_STRESS),
+        energy: registry.find(INTERNAL_ENERGY),
+        distention: registry.find(DISTENTION),
         place: profile.place,
     };
     let counts = |s: f64| (profile.within[0]..=profile.within[1]).contains(&s);

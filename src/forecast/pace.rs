@@ -8,6 +8,7 @@ use super::model::Machine;
 use crate::domain::comm::{Comm, Network};
 use crate::error::Result;
 use crate::material::BodyConstants;
+use crate::material::eos::INTERNAL_ENERGY;
 use crate::math::Vec3;
 use crate::particles::{Columns, ParticleId, Periods};
 use crate::process::resources;
@@ -206,7 +207,7 @@ fn block(scene: &Scene, plan: &setup::Plan, edge: u64) -> Columns {
     let core = plan.view.core;
     let mut columns = Columns::new(plan.registry.clone());
     columns.resize(last as usize);
-    let internal_energy = plan.registry.find::<f64>("internal_energy");
+    let internal_energy = plan.registry.find::<f64>(INTERNAL_ENERGY);
     for (i, site) in (0..last).enumerate() {
         let at = |place: u64| spacing * (place % edge) as f64;
         let moves = site < last / MOVING;

@@ -82,6 +82,9 @@ struct Share {
     diagnostic: Diagnostic,
 }
 
+/// Name of the column of the largest pressure.
+pub const PEAK_PRESSURE: &str = "peak_pressure";
+
 /// The columns that the scene requests.
 pub struct Record {
     /// Where a record depends on it.
@@ -110,7 +113,7 @@ impl MaterialEffect for Record {
         registry.owner("record");
         let mut column =
             |name, unit, about| registry.column(ColumnInfo { name, unit, about, life: Life::State, snapshot: true });
-        let peak_pressure = records.peak_pressure.then(|| column("peak_pressure", "Pa", "Largest pressure so far."));
+        let peak_pressure = records.peak_pressure.then(|| column(PEAK_PRESSURE, "Pa", "Largest pressure so far."));
         let mut shares = Vec::new();
         if records.melt_fraction {
             shares.extend(PerBody::new(setup, |_, material| Rise::melting(material)).map(|rises| Share {

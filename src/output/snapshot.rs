@@ -12,7 +12,7 @@ use super::collective::{CollectiveFile, Value};
 use super::publish::{prepare, publish, replace_text, temporary};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
-use crate::material::BodyConstants;
+use crate::material::ParticleView;
 use crate::math::{Deviator, Vec3};
 use crate::particles::columns::Entry;
 use crate::particles::{Column, ColumnShape, Columns, ParticleId};
@@ -30,7 +30,7 @@ pub struct Storage {
 pub struct Snapshot<'a> {
     pub columns: &'a Columns,
     /// One entry per body.
-    pub bodies: &'a [BodyConstants],
+    pub view: &'a ParticleView,
     /// s.
     pub time: f64,
     pub step: u64,
@@ -107,13 +107,10 @@ impl Snapshot<'_> {
         let about = "Number of the body to which the particle belongs.";
         let bodies: Vec<i32> = all.clone().map(|i| body(i) as i32).collect();
         self.write_exact(file, &Label { name: "body", unit: "", about }, &bodies)?;
-        let masses: Vec<f64> = all.clone().map(|i| self.bodies[body(i)].particle_mass).collect();
+        let masses: Vec<f64> = all.clone().map(|i| self.view.constants[body(i)].particle_mass).collect();
         let unit = if columns.registry.dimension == 2 { "kg/m" } else { "kg" };
         self.write_field(file, &Label { name: "mass", unit, about: "Mass of the particle." }, &masses, 1)?;
-        let h = match columns.registry.find::<f64>("smoothing_length") {
-            Some(column) => all.map(|i| columns.get(column, i)).collect(),
-            None => all.map(|i| self.bodies[body(i)].smoothing_length).collect::<Vec<f64>>(),
-        };
+        let h: Vec<f64> = all.map(|i| self.view.smoothing_length(columns, i, body(i))).collect();
         let about = "Smoothing length; the radius of the kernel's support is twice as large.";
         self.write_field(file, &Label { name: "smoothing_length", unit: "m", about }, &h, 1)
     }

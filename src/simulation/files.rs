@@ -94,7 +94,7 @@ impl<const D: usize> Run<'_, D> {
         let output = &self.scene.output;
         let written = Snapshot {
             columns: &self.stepper.columns,
-            bodies: &self.stepper.settings.view.constants,
+            view: &self.stepper.settings.view,
             time: self.stepper.state.time,
             step: self.stepper.state.step,
             scene: &self.scene.to_toml(),

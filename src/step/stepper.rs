@@ -19,6 +19,7 @@ use super::workers::Workers;
 use super::workspace::{Findings, Workspace};
 use crate::domain::comm::Comm;
 use crate::material::Core;
+use crate::material::eos::INTERNAL_ENERGY;
 use crate::pair::Rows;
 use crate::particles::chunk::{Chunks, chunk_range};
 use crate::particles::{Chunk, Column, Columns, ParticleId};
@@ -63,7 +64,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
     /// Takes particles, distributed in any way; [`Stepper::start`] or [`Stepper::resume`] must follow.
     pub fn new(comm: &'c Comm, columns: Columns, settings: StepSettings) -> Self {
         let workers = Workers::new(|| Workspace::new(&columns.registry, settings.effects.len()));
-        let internal_energy = columns.registry.find("internal_energy");
+        let internal_energy = columns.registry.find(INTERNAL_ENERGY);
         let neighbourhood = Neighbourhood::new(&columns.registry, &settings);
         Self {
             comm,

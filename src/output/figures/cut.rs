@@ -16,6 +16,7 @@ use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::material::BodyConstants;
 use crate::material::porosity::DISTENTION;
+use crate::material::record::PEAK_PRESSURE;
 use crate::math::Vec3;
 use crate::output::agree;
 use crate::particles::{Column, Columns, ParticleId};
@@ -113,7 +114,7 @@ fn right(picture: &Picture, columns: &Columns) -> Result<Quantity> {
             ..Quantity::new(&title, "", value)
         });
     }
-    if let Some(peak) = columns.registry.find::<f64>("peak_pressure") {
+    if let Some(peak) = columns.registry.find::<f64>(PEAK_PRESSURE) {
         return Ok(Quantity { wide: true, ..Quantity::new("Peak pressure", "Pa", Source::Column(peak)) });
     }
     let value = Source::Speed(needed(columns, "velocity")?);
