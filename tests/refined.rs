@@ -2,7 +2,7 @@
 //! same bits on any ranks.
 
 use sph_mpi::kernel::{CubicSpline, Shape};
-use sph_mpi::simulation::probes;
+use sph_mpi::simulation::results::probes;
 
 use crate::common::{ByHand, Launch, ranks, summary};
 

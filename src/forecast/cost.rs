@@ -19,7 +19,7 @@ use crate::scene::{Body, Precision, Scene, Snapshots, Until};
 use crate::simulation::footprint::Footprint;
 use crate::simulation::scales::free_fall_time;
 use crate::simulation::setup::{self, Plan};
-use crate::simulation::{scales, warnings};
+use crate::simulation::{results::warnings, scales};
 use crate::step::time_step;
 use crate::warning::Warning;
 

@@ -2,24 +2,17 @@
 
 mod collapse;
 mod due;
-mod files;
-mod finish;
 pub mod footprint;
-mod ground;
 mod late;
-mod nbody;
 mod open;
-pub mod probes;
-mod report;
 mod require;
 mod restart;
+pub mod results;
 pub mod run;
 pub mod scales;
 pub mod setup;
 pub mod state;
 mod steps;
-mod summary;
-pub mod warnings;
 
 pub use require::require;
 pub use run::{Ended, Options, RunReport};

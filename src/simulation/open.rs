@@ -4,14 +4,16 @@ use std::time::Instant;
 
 use super::collapse::Collapse;
 use super::footprint::Footprint;
+use super::restart;
+use super::results::{probes, report, warnings};
 use super::run::{Options, Products, Run};
+use super::setup::{self, Plan};
 use super::state::{Conservation, Restored, RunState, Spent};
-use super::{probes, report, restart, setup, warnings};
 use crate::comparison::Comparison;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::material::porosity::DISTENTION;
-use crate::output::{History, agree, checkpoint};
+use crate::output::{Checkpoint, History, agree, checkpoint};
 use crate::particles::ParticleId;
 use crate::process::faults::Fault;
 use crate::process::{log, resources};
@@ -32,14 +34,7 @@ impl<'a, const D: usize> Run<'a, D> {
         }
         warning::log(&warnings::of_scene(scene), comm.is_root());
         let comparison = Comparison::new(scene)?;
-        let fit =
-            |plan: &setup::Plan| Footprint::new(scene, plan, comm.size()).require(comm).map_err(|e| e.at(scene.path()));
-        // Where a run cannot fit by far, its particles need not be counted.
-        if let Some(expected) = setup::expected_particles(scene) {
-            fit(&setup::plan(scene, expected)?)?;
-        }
-        let plan = setup::plan(scene, setup::count_particles(scene, comm)?)?;
-        fit(&plan)?;
+        let plan = plan_that_fits(scene, comm)?;
         let fault = Fault::of_rank(comm.rank());
         let saved = if options.resume {
             checkpoint::read_newest(&options.directory, &plan.registry, comm, &|before| scene.differs_from(before))?
@@ -47,40 +42,11 @@ impl<'a, const D: usize> Run<'a, D> {
             None
         };
         let (mut stepper, state) = match saved {
-            Some(saved) => {
-                if let Some(refused) = saved.refused.as_ref().filter(|_| comm.is_root()) {
-                    tracing::warn!("the newest checkpoint was not taken: {refused}");
-                }
-                tracing::info!("resuming from {}", saved.path.display());
-                let mut settings = plan.settings(scene);
-                settings.effects.extend(fault.effect(&settings.view.core));
-                let restored: Restored = serde_json::from_str(&saved.meta.json)
-                    .map_err(|e| Error::new(format!("its state cannot be read: {e}")))?;
-                if let Some(late) = scene.late().filter(|_| restored.run.late.is_some()) {
-                    settings.effects.iter_mut().for_each(|effect| effect.soften(&late));
-                }
-                let mut stepper = Stepper::new(comm, saved.columns, settings);
-                stepper.resume(restored.step);
-                stepper.counters = Counters { pairs: 0, updates: 0, migrated: 0, ..restored.counters };
-                (stepper, Some(restored.run))
-            }
-            None => {
-                let (columns, mut settings) = plan.populate(scene, comm)?;
-                settings.effects.extend(fault.effect(&settings.view.core));
-                (Stepper::new(comm, columns, settings), None)
-            }
-        };
-        let state = match state {
-            Some(state) => state,
-            None => Self::first_state(scene, &mut stepper)?,
+            Some(saved) => Self::restore(scene, plan, saved, &fault, comm)?,
+            None => Self::start(scene, plan, &fault, comm)?,
         };
         let totals = stepper.totals();
-        let mut columns = report::history_columns(&stepper.settings.effects, stepper.settings.motions.is_some(), scene);
-        columns.extend(probes::columns(scene, stepper.columns.registry.find::<f64>(DISTENTION).is_some()));
-        let labels: Vec<(&str, &str)> = columns.iter().map(|(name, unit)| (name.as_str(), unit.as_str())).collect();
-        let resumed = Some(stepper.state.step).filter(|&step| step > 0);
-        let history = History::open(&options.directory.join("history.csv"), &labels, resumed, comm)?;
-        let saved = Instant::now();
+        let history = history(scene, options, &stepper, comm)?;
         Ok(Self {
             scene,
             options,
@@ -93,7 +59,7 @@ impl<'a, const D: usize> Run<'a, D> {
             cpu_at_start,
             wait_at_start,
             wait_cpu_at_start,
-            saved,
+            saved: Instant::now(),
             fault,
             comparison,
             packing: Vec::new(),
@@ -103,6 +69,40 @@ impl<'a, const D: usize> Run<'a, D> {
             collapse: Collapse::default(),
             limit: NamedLimit { limit: Limit { id: ParticleId(0), ..Limit::NONE }, reason: "" },
         })
+    }
+
+    /// Particles and state of a checkpoint.
+    fn restore(
+        scene: &Scene,
+        plan: Plan,
+        saved: Checkpoint,
+        fault: &Fault,
+        comm: &'a Comm,
+    ) -> Result<(Stepper<'a, D>, RunState)> {
+        if let Some(refused) = saved.refused.as_ref().filter(|_| comm.is_root()) {
+            tracing::warn!("the newest checkpoint was not taken: {refused}");
+        }
+        tracing::info!("resuming from {}", saved.path.display());
+        let mut settings = plan.settings(scene);
+        settings.effects.extend(fault.effect(&settings.view.core));
+        let restored: Restored =
+            serde_json::from_str(&saved.meta.json).map_err(|e| Error::new(format!("its state cannot be read: {e}")))?;
+        if let Some(late) = scene.late().filter(|_| restored.run.late.is_some()) {
+            settings.effects.iter_mut().for_each(|effect| effect.soften(&late));
+        }
+        let mut stepper = Stepper::new(comm, saved.columns, settings);
+        stepper.resume(restored.step);
+        stepper.counters = Counters { pairs: 0, updates: 0, migrated: 0, ..restored.counters };
+        Ok((stepper, restored.run))
+    }
+
+    /// New particles, evaluated once.
+    fn start(scene: &Scene, plan: Plan, fault: &Fault, comm: &'a Comm) -> Result<(Stepper<'a, D>, RunState)> {
+        let (columns, mut settings) = plan.populate(scene, comm)?;
+        settings.effects.extend(fault.effect(&settings.view.core));
+        let mut stepper = Stepper::new(comm, columns, settings);
+        let state = Self::first_state(scene, &mut stepper)?;
+        Ok((stepper, state))
     }
 
     fn first_state(scene: &Scene, stepper: &mut Stepper<'a, D>) -> Result<RunState> {
@@ -123,4 +123,26 @@ impl<'a, const D: usize> Run<'a, D> {
             spent: Spent::default(),
         })
     }
+}
+
+/// Columns and effects of a scene whose particles fit into memory. Collective.
+fn plan_that_fits(scene: &Scene, comm: &Comm) -> Result<Plan> {
+    let fit = |plan: &Plan| Footprint::new(scene, plan, comm.size()).require(comm).map_err(|e| e.at(scene.path()));
+    // Where a run cannot fit by far, its particles need not be counted.
+    if let Some(expected) = setup::expected_particles(scene) {
+        fit(&setup::plan(scene, expected)?)?;
+    }
+    let plan = setup::plan(scene, setup::count_particles(scene, comm)?)?;
+    fit(&plan)?;
+    Ok(plan)
+}
+
+/// history.csv with the columns of the scene; one that is there goes on. Collective.
+fn history<const D: usize>(scene: &Scene, options: &Options, stepper: &Stepper<D>, comm: &Comm) -> Result<History> {
+    let settings = &stepper.settings;
+    let mut columns = report::history_columns(&settings.effects, settings.motions.is_some(), scene);
+    columns.extend(probes::columns(scene, stepper.columns.registry.find::<f64>(DISTENTION).is_some()));
+    let labels: Vec<(&str, &str)> = columns.iter().map(|(name, unit)| (name.as_str(), unit.as_str())).collect();
+    let resumed = Some(stepper.state.step).filter(|&step| step > 0);
+    History::open(&options.directory.join("history.csv"), &labels, resumed, comm)
 }

@@ -7,7 +7,7 @@ use crate::domain::comm::{Comm, Network};
 use crate::error::Result;
 use crate::forecast::cost::{self, PredictedCost};
 use crate::output::text::{aligned, duration, number, words};
-use crate::simulation::warnings;
+use crate::simulation::results::warnings;
 use crate::warning::{self, Warning};
 
 /// Every point's number, spacing and setting; one line each.

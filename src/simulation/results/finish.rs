@@ -5,8 +5,6 @@ use std::path::Path;
 
 use super::ground;
 use super::report::{self, Report};
-use super::run::{Ended, Run, RunReport};
-use super::state::End;
 use super::summary;
 use super::warnings;
 use crate::comparison::Noted;
@@ -17,10 +15,12 @@ use crate::output::figures::or_warn;
 use crate::output::summary::Figures;
 use crate::output::{Summary, agree, snapshot};
 use crate::scene::Snapshots;
+use crate::simulation::run::{Ended, Run, RunReport};
+use crate::simulation::state::End;
 
 impl<const D: usize> Run<'_, D> {
     /// Evaluates the outcome that counts, and writes its files, unless they must wait as the run is over. Collective.
-    pub(super) fn take_outcome(&mut self) -> Result<()> {
+    pub(in crate::simulation) fn take_outcome(&mut self) -> Result<()> {
         self.state.outcome_time = self.stepper.state.time;
         if !self.scene.hits_ground() {
             let mut evaluation = self.evaluate_outcome();
@@ -47,7 +47,7 @@ impl<const D: usize> Run<'_, D> {
     }
 
     /// Writes the tables and draws the pictures that wait. Collective.
-    pub(super) fn write_products(&mut self) -> Result<()> {
+    pub(in crate::simulation) fn write_products(&mut self) -> Result<()> {
         let (products, directory) = (std::mem::take(&mut self.products), &self.options.directory);
         let root = self.comm.is_root();
         let written = agree(self.comm, if root { products.write_tables(directory) } else { Ok(()) });
@@ -87,7 +87,7 @@ impl<const D: usize> Run<'_, D> {
 
     /// Evaluates and writes all results. Where a run is resumed at its very end, the same files are written again.
     /// Collective.
-    pub(super) fn finish(mut self) -> Result<RunReport> {
+    pub(in crate::simulation) fn finish(mut self) -> Result<RunReport> {
         // A run may be resumed from its last checkpoint for files that could not be written.
         let again = self.state.end.clone();
         if again.is_none() && self.stepper.state.step % self.scene.output.history_every != 0 {
@@ -140,7 +140,7 @@ impl<const D: usize> Run<'_, D> {
     }
 
     /// The results of a run that ends here. Collective.
-    pub(super) fn report(self, ended: Ended) -> RunReport {
+    pub(in crate::simulation) fn report(self, ended: Ended) -> RunReport {
         let summary = self.summary(Figures::default(), None);
         self.report_of(ended, summary)
     }

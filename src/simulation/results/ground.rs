@@ -2,24 +2,24 @@
 
 use std::path::Path;
 
-use super::run::Run;
 use crate::error::Result;
 use crate::math::Vec3;
 use crate::outcome::crater::{self, Crater, CraterEvaluation, Question};
 use crate::outcome::profiles::PoresRow;
 use crate::output::figures::curves::{Axis, Figure, Mark, Series};
 use crate::scene::Scene;
+use crate::simulation::run::Run;
 
 impl<const D: usize> Run<'_, D> {
     /// The crater as it is now, where the scene hits a flat face. Collective.
-    pub(super) fn crater(&self) -> Option<CraterEvaluation> {
+    pub(in crate::simulation) fn crater(&self) -> Option<CraterEvaluation> {
         let question = question(self.scene)?;
         let (columns, view) = (&self.stepper.columns, &self.stepper.settings.view);
         Some(crater::evaluate(self.comm, columns, &view.core, &view.constants, &question))
     }
 
     /// ejecta.png, and distention.png of ground with pores; for one rank.
-    pub(super) fn draw_crater(&self, evaluation: &CraterEvaluation) -> Result<()> {
+    pub(in crate::simulation) fn draw_crater(&self, evaluation: &CraterEvaluation) -> Result<()> {
         let drawer = Drawer { title: &self.scene.title, directory: &self.options.directory, dimension: D };
         drawer.draw_ejecta(evaluation).and(drawer.draw_pores(evaluation))
     }

@@ -169,7 +169,7 @@ mod tests {
 
     #[test]
     fn the_body_whose_density_is_off_is_named() {
-        let scene = Scene::parse("qd.toml", include_str!("../../inputs/qd_star.toml"), &[]).expect("a scene");
+        let scene = Scene::parse("qd.toml", include_str!("../../../inputs/qd_star.toml"), &[]).expect("a scene");
         let of = |inside, crowded, sparse, alone| Packing { inside, crowded, sparse, alone };
         assert_eq!(density(&scene, &[of(1000, 50, 50, 0), of(9, 9, 0, 10)]), None);
         let text = density(&scene, &[of(1000, 60, 60, 0), of(100, 0, 30, 40)]).expect("a warning").text;

@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use super::state::{RunState, Spent};
 use crate::domain::comm::Comm;
 use crate::error::Result;
 use crate::material::MaterialEffect;
@@ -13,6 +12,7 @@ use crate::output::figures::cut::{self, Picture};
 use crate::output::figures::raster::Plane;
 use crate::output::summary::{Accuracy, Figures};
 use crate::scene::Scene;
+use crate::simulation::state::{RunState, Spent};
 use crate::step::packing::Packing;
 use crate::step::time_step::NamedLimit;
 use crate::step::{StepState, Stepper, Totals};

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::report::{Report, turns_freely};
-use super::{ground, late, warnings};
+use super::{ground, warnings};
 use crate::domain::comm::Comm;
 use crate::outcome::Outcome;
 use crate::outcome::crater::Crater;
@@ -11,6 +11,7 @@ use crate::output::summary::{Figures, Remnants};
 use crate::output::{Summary, state_hash};
 use crate::process::resources;
 use crate::scene::Scene;
+use crate::simulation::late;
 use crate::step::Stepper;
 use crate::step::phases::{NAMES, Phase};
 use crate::warning;

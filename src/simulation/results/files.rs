@@ -2,21 +2,21 @@
 
 use std::time::Instant;
 
-use super::due::Due;
 use super::probes;
 use super::report;
-use super::run::Run;
-use super::state::{Saved, Spent};
 use crate::error::{Error, Result};
 use crate::outcome::vapour::Vapour;
 use crate::outcome::{self, Evaluation, Particle, Question};
 use crate::output::{Cell, CheckpointMeta, Snapshot, Storage, checkpoint, snapshot};
 use crate::process::resources;
 use crate::scene::{Precision, Snapshots};
+use crate::simulation::due::Due;
+use crate::simulation::run::Run;
+use crate::simulation::state::{Saved, Spent};
 use crate::step::phases::Phase;
 
 impl<const D: usize> Run<'_, D> {
-    pub(super) fn write_history(&mut self) {
+    pub(in crate::simulation) fn write_history(&mut self) {
         self.limit = self.stepper.tightest_limit();
         let held = self.stepper.settings.motions.is_some();
         let mut cells = report::history_row(&self.stepper.state, &self.totals, &self.limit, held, D == 2);
@@ -29,7 +29,7 @@ impl<const D: usize> Run<'_, D> {
     }
 
     /// This rank's particles, as outcomes use them.
-    pub(super) fn particles(&self) -> Vec<Particle> {
+    pub(in crate::simulation) fn particles(&self) -> Vec<Particle> {
         let (columns, settings) = (&self.stepper.columns, &self.stepper.settings);
         let materials = self.scene.bodies.iter().map(|body| &self.scene.materials[body.material]);
         let vapour = Vapour::new(&columns.registry, &settings.view.core, materials);
@@ -38,7 +38,7 @@ impl<const D: usize> Run<'_, D> {
         outcome::particles(columns, &settings.view.core, &settings.view.constants, &whole, damage)
     }
 
-    pub(super) fn evaluate_outcome(&mut self) -> Evaluation {
+    pub(in crate::simulation) fn evaluate_outcome(&mut self) -> Evaluation {
         self.note_packing();
         let start = Instant::now();
         self.stepper.release_buffers();
@@ -48,7 +48,7 @@ impl<const D: usize> Run<'_, D> {
         evaluation
     }
 
-    pub(super) fn question(&self) -> Question {
+    pub(in crate::simulation) fn question(&self) -> Question {
         let [target, projectile] = self.scene.impact.as_ref().map_or([0, 1], |i| [i.target, i.projectile]);
         let (target_mass, bodies) = (self.scene.bodies[target].whole_mass(), [target, projectile]);
         let others = self.scene.bodies.iter().enumerate().any(|(n, body)| !bodies.contains(&body.whole(n)));
@@ -56,7 +56,7 @@ impl<const D: usize> Run<'_, D> {
     }
 
     /// Checks whether density is mass over volume, unless no particle has moved since the last check. Collective.
-    pub(super) fn note_packing(&mut self) {
+    pub(in crate::simulation) fn note_packing(&mut self) {
         let now = self.stepper.packing();
         if now.iter().any(|body| body.judged() > 0) {
             self.packing = now;
@@ -64,7 +64,7 @@ impl<const D: usize> Run<'_, D> {
     }
 
     /// When snapshots are due, where the scene requests them during the run.
-    pub(super) fn due(&self) -> Option<Due> {
+    pub(in crate::simulation) fn due(&self) -> Option<Due> {
         match self.scene.output.snapshots {
             Snapshots::Every(every) => Some(Due { every }),
             Snapshots::AtEnd | Snapshots::Never => None,
@@ -72,7 +72,7 @@ impl<const D: usize> Run<'_, D> {
     }
 
     /// Writes a snapshot during the run; the last one is written at the end, after more important files. Collective.
-    pub(super) fn write_snapshot_if_due(&mut self) -> Result<()> {
+    pub(in crate::simulation) fn write_snapshot_if_due(&mut self) -> Result<()> {
         let time = self.stepper.state.time;
         let is_due = |due: Due| due.same(due.next(self.state.snapshot_time, time), time);
         if !self.due().is_some_and(is_due) || self.is_over() {
@@ -81,7 +81,7 @@ impl<const D: usize> Run<'_, D> {
         self.write_snapshot()
     }
 
-    pub(super) fn write_snapshot(&mut self) -> Result<()> {
+    pub(in crate::simulation) fn write_snapshot(&mut self) -> Result<()> {
         let start = Instant::now();
         self.state.snapshots += 1;
         self.state.snapshot_time = Some(self.stepper.state.time);
@@ -114,7 +114,7 @@ impl<const D: usize> Run<'_, D> {
         Ok(())
     }
 
-    pub(super) fn write_checkpoint(&mut self) -> Result<()> {
+    pub(in crate::simulation) fn write_checkpoint(&mut self) -> Result<()> {
         let start = Instant::now();
         let mut state = self.state.clone();
         state.spent = self.spent();
@@ -132,7 +132,7 @@ impl<const D: usize> Run<'_, D> {
     }
 
     /// The cost of the run so far, over all ranks. Collective.
-    pub(super) fn spent(&self) -> Spent {
+    pub(in crate::simulation) fn spent(&self) -> Spent {
         let before = &self.state.spent;
         let counters = &self.stepper.counters;
         let micro = |seconds: f64| (1e6 * seconds) as i64;

@@ -1,10 +1,10 @@
 //! Writes the outcome of an impact for an N-body program.
 
-use super::run::Run;
-use super::scales::free_fall_time;
 use crate::outcome::nbody::{Choice, spheres};
 use crate::outcome::rebound::{archive, table};
 use crate::output::summary::Figures;
+use crate::simulation::run::Run;
+use crate::simulation::scales::free_fall_time;
 
 /// First step of an N-body integrator over the free-fall time of the target.
 const STEP: f64 = 1e-3;
@@ -12,7 +12,7 @@ const STEP: f64 = 1e-3;
 impl<const D: usize> Run<'_, D> {
     /// Makes `nbody.csv` and `nbody.bin` where the scene requests them; returns the numbers of bodies and of pieces left out.
     /// Collective.
-    pub(super) fn nbody(&mut self) -> Option<Figures> {
+    pub(in crate::simulation) fn nbody(&mut self) -> Option<Figures> {
         let settings = self.scene.nbody?;
         self.stepper.release_buffers();
         let particles = self.particles();
