@@ -36,7 +36,7 @@ pub fn validate(document: &Document, tables: &SceneTables) -> Result<Scene> {
     checks::check_initial_states(document, &bodies, &space)?;
     checks::check_overlaps(document, &bodies)?;
     checks::check_periods(document, &periods, &bodies, &numerics)?;
-    let layers = (0..).zip(&tables.layer).map(|(number, layer)| layer.validate(document, number, (&bodies, &periods)));
+    let layers = (0..).zip(&tables.layer).map(|(number, layer)| layer.validate(document, number, &bodies, &periods));
     let layers = layers.collect::<Result<Vec<_>>>()?;
     let run = tables.run.validate(document, impact.is_some())?;
     let output = tables.output.validate(document, &run)?;

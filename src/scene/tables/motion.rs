@@ -31,7 +31,8 @@ impl MotionTable {
         &self,
         document: &Document,
         path: &str,
-        (dimension, towards): (usize, [f64; 3]),
+        dimension: usize,
+        towards: [f64; 3],
     ) -> Result<PrescribedMotion> {
         match self {
             MotionTable::Fixed => Ok(PrescribedMotion::Prescribed([0.0; 3])),

@@ -42,7 +42,7 @@ impl BodyReader<'_> {
         let (density, internal_energy) = self.thermal_state(raw, material.1)?;
         let rotation = self.rotation(raw)?;
         let rubble = self.rubble(raw, &shape)?;
-        let lattice = self.lattice(raw, (&shape, rubble.as_ref()), rotation)?;
+        let lattice = self.lattice(raw, &shape, rubble.as_ref(), rotation)?;
         let spin = self.spin(raw)?;
         let body = Body {
             name: raw.name.clone(),
@@ -120,7 +120,7 @@ impl BodyReader<'_> {
         let path = format!("{}.motion", self.path);
         match &raw.motion {
             None => Ok(PrescribedMotion::Free),
-            Some(motion) => motion.validate(self.document, &path, (self.dimension, velocity)),
+            Some(motion) => motion.validate(self.document, &path, self.dimension, velocity),
         }
     }
 
@@ -242,7 +242,8 @@ impl BodyReader<'_> {
     fn lattice(
         &self,
         raw: &BodyTable,
-        (shape, rubble): (&BodyShape, Option<&Rubble>),
+        shape: &BodyShape,
+        rubble: Option<&Rubble>,
         rotation: Rotation,
     ) -> Result<Lattice> {
         if let Some(least) = raw.least_particles

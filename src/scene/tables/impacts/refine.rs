@@ -120,7 +120,7 @@ impl RefineTable {
             let allowed = format!("{} and more, {FEWEST_SPACINGS} spacings", rounded(FEWEST_SPACINGS * finest));
             return Err(document.error("impact.refine.radius", what).allowed(allowed));
         }
-        let parts = divide(target, (hit.target, hit.point), (finest, radius));
+        let parts = divide(target, &Fine { body: hit.target, point: hit.point, spacing: finest, radius });
         parts.map_err(|e| e.at(document.place("impact.refine.spacing")))
     }
 }
@@ -147,8 +147,21 @@ fn check_target(document: &Document, target: &Body, number: usize) -> Result<()>
     }
 }
 
+/// Where a target is to be finest.
+struct Fine {
+    /// Number of the target.
+    body: usize,
+    /// The point of impact, m.
+    point: [f64; 3],
+    /// m.
+    spacing: f64,
+    /// How far from the point, m.
+    radius: f64,
+}
+
 /// All parts of a target, from the inside; one that is the target where nothing is to be refined.
-fn divide(target: &Body, (number, point): (usize, [f64; 3]), (finest, radius): (f64, f64)) -> Result<Vec<Body>> {
+fn divide(target: &Body, fine: &Fine) -> Result<Vec<Body>> {
+    let &Fine { body: number, point, spacing: finest, radius } = fine;
     let (dimension, own) = (target.dimension, target.lattice.spacing);
     let whole = target.shape.volume(dimension);
     let (mut inner, mut outer, mut inside, mut spacing) = (0.0, radius, 0.0, finest.min(own));

@@ -73,31 +73,21 @@ impl Layer {
 
 impl LayerTable {
     /// `number`: of the layer.
-    pub fn validate(
-        &self,
-        document: &Document,
-        number: usize,
-        (bodies, periods): (&[Body], &Periods),
-    ) -> Result<Layer> {
+    pub fn validate(&self, document: &Document, number: usize, bodies: &[Body], periods: &Periods) -> Result<Layer> {
         let path = format!("layer.{number}");
         let keys = RegionKeys { body: self.body.as_ref(), ends: [self.x, self.y, self.z] };
         let region = region(document, &path, keys, bodies)?;
         let body = region.body.map(|body| &bodies[body]);
-        let outer = self.outer.map(|thickness| outer(document, &path, (thickness, body), periods)).transpose()?;
+        let outer = self.outer.map(|thickness| outer(document, &path, thickness, body, periods)).transpose()?;
         let towards = body.map_or([0.0; 3], |body| body.velocity);
         let dimension = bodies[0].dimension;
-        let motion = self.motion.validate(document, &format!("{path}.motion"), (dimension, towards))?;
+        let motion = self.motion.validate(document, &format!("{path}.motion"), dimension, towards)?;
         Ok(Layer { region, outer, motion })
     }
 }
 
 /// What lies within `thickness` of the outer faces of `body`.
-fn outer(
-    document: &Document,
-    path: &str,
-    (thickness, body): (Length, Option<&Body>),
-    periods: &Periods,
-) -> Result<Outer> {
+fn outer(document: &Document, path: &str, thickness: Length, body: Option<&Body>, periods: &Periods) -> Result<Outer> {
     let error = |what: String| document.error(&format!("{path}.outer"), what);
     let Some(body) = body else {
         return Err(error("outer faces are those of one body".into()).allowed("a layer with a key `body`"));
