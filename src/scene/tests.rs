@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
+use super::document::keys::keys_of;
 use super::document::source::{Document, SourceText};
 use super::reading::read::check_numbers;
+use super::reading::tables::SceneTables;
 use super::tables::numerics::ArtificialStress;
 use super::*;
 use crate::error::Result;
@@ -280,6 +282,7 @@ fn wrong_values_are_refused_in_one_clear_line() {
         ("projectile.shape={ box = { size = [1, 1, 1] } }", "onto a sphere only a sphere can fall"),
         ("threshold.vary=target.radius", "`target.radius` cannot be varied (allowed: projectile.radius)"),
         ("run.until=settled", "needs a run of known length"),
+        ("numerics=3", "invalid type: integer `3`, expected a table"),
         ("material.basalt.strength.shear_modulus=-1", "--set material.basalt.strength.shear_modulus=-1"),
         ("material.basalt.strength.shear_modulus=3 GPb", "unknown unit `GPb`"),
     ];
@@ -420,6 +423,17 @@ fn probes_have_names_of_their_own() {
         text.contains("\"probe\" cannot name a body (allowed: any name without . and = that is no table"),
         "{text}"
     );
+}
+
+/// A body is addressed by its name, which therefore must not be a key of a scene, whatever keys there are.
+#[test]
+fn no_body_is_named_like_a_key_of_a_scene() {
+    let keys = keys_of::<SceneTables>();
+    assert!(keys.len() >= 18 && keys.contains(&"late_stage"), "{keys:?}");
+    for key in keys.iter().chain(&[""]) {
+        let text = complaint("\"ball\"", &format!("\"{key}\""));
+        assert!(text.contains(&format!("\"{key}\" cannot name a body")), "{text}");
+    }
 }
 
 /// A search changes the radius of a sphere; any other projectile would be refused by the search itself.

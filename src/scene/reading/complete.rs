@@ -55,3 +55,38 @@ fn refined(document: &Document, tables: &SceneTables) -> Option<RefineTable> {
     let spacing = context.spacing_at_impact(&target).ok()?;
     Some(refine.complete(&context.read(impact.projectile, Some(spacing)).ok()?))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::document::keys;
+    use crate::scene::document::source::SourceText;
+    use crate::scene::reading::library;
+
+    /// What is complete stays as it is; what cannot be completed is left to be refused, and nothing panics on it.
+    #[test]
+    fn completing_ends() {
+        let refined = "[[body]]\nname = \"target\"\nshape = { sphere = { radius = \"10 m\" } }\nmaterial = \"basalt\"\nspacing = \"2 m\"\n\
+            [[body]]\nname = \"stone\"\nshape = { sphere = { radius = \"60 cm\" } }\nmaterial = \"basalt\"\n\
+            [impact]\nspeed = \"5 km/s\"\nrefine = true\n[numerics]\nneighbours = 57\n";
+        let print = |tables: &SceneTables| toml::to_string(tables).expect("tables");
+        for (change, whole) in [
+            ("title=x", true),
+            ("dimension=7", false),
+            ("stone.radius=-1 m", false),
+            ("impact.target=nobody", false),
+            ("numerics.neighbours=1", false),
+            ("target.material=ideal_gas", false),
+        ] {
+            let source = SourceText { path: "s.toml".into(), text: refined.into(), overrides: vec![change.into()] };
+            let mut document = Document::parse(&source).expect("a tree");
+            library::complete(&mut document).expect("materials");
+            let written: SceneTables = keys::deserialize(&document).expect("tables");
+            let once = complete(&document, &written);
+            assert_eq!(print(&complete(&document, &once)), print(&once), "{change}");
+            let refine = once.impact.as_ref().and_then(|impact| impact.refinement()).expect("a table");
+            assert!(refine.is_complete() || !whole, "{change}");
+            assert_eq!(crate::scene::reading::validate::validate(&document, &once).is_ok(), whole, "{change}");
+        }
+    }
+}
