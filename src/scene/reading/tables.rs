@@ -34,6 +34,7 @@ pub struct SceneTables {
     /// 3, or 2: plane strain, masses per metre of depth, vectors of two components.
     #[serde(default = "three")]
     #[schemars(extend("enum" = DIMENSIONS))]
+    #[schemars(range(min = 2, max = 3))]
     pub dimension: u8,
     /// One table per body.
     #[serde(default)]
