@@ -165,22 +165,20 @@ fn paths(module: &[String], code: &str) -> Vec<Vec<String>> {
     found
 }
 
-/// Imports among files that import each other, by way of others at the most; empty where there are none.
-fn circles(mut imports: BTreeMap<String, BTreeSet<String>>) -> Vec<String> {
-    loop {
-        let (files, used): (BTreeSet<String>, BTreeSet<String>) =
-            (imports.keys().cloned().collect(), imports.values().flatten().cloned().collect());
-        let before = imports.len();
-        // What imports nothing that is left, and what nothing that is left imports, is in no circle.
-        imports.retain(|file, below| below.iter().any(|other| files.contains(other)) && used.contains(file));
-        let left: BTreeSet<String> = imports.keys().cloned().collect();
-        imports.values_mut().for_each(|below| below.retain(|other| left.contains(other)));
-        if imports.len() == before {
-            break;
-        }
+/// Every file that is reached from one by imports.
+fn reached<'a>(imports: &'a BTreeMap<String, BTreeSet<String>>, from: &'a String) -> BTreeSet<&'a String> {
+    let (mut found, mut next) = (BTreeSet::new(), vec![from]);
+    while let Some(file) = next.pop() {
+        next.extend(imports.get(file).into_iter().flatten().filter(|below| found.insert(*below)));
     }
-    let edges = imports.iter().flat_map(|(file, below)| below.iter().map(move |other| format!("{file} -> {other}")));
-    edges.collect()
+    found
+}
+
+/// Imports among files that import each other, by way of others at the most; empty where there are none.
+fn circles(imports: BTreeMap<String, BTreeSet<String>>) -> Vec<String> {
+    let edges = imports.iter().flat_map(|(file, all)| all.iter().map(move |below| (file, below)));
+    let back = edges.filter(|(file, below)| reached(&imports, below).contains(file));
+    back.map(|(file, below)| format!("{file} -> {below}")).collect()
 }
 
 #[test]

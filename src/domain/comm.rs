@@ -15,12 +15,11 @@ use mpi::raw::AsRaw;
 use mpi::traits::*;
 
 mod overlap;
+mod requests;
 
-pub use overlap::{Overlapped, now};
-use overlap::{Reduction, Request, Round};
-
-/// Messages longer than this many bytes go in pieces, as MPI counts are 32-bit.
-const PIECE: usize = 1 << 30;
+pub use overlap::Overlapped;
+pub use requests::now;
+use requests::{PIECE, Reduction, Request, Round};
 
 /// Tags of persistent exchanges; MPI grants at least 32767.
 const FIRST_EXCHANGE_TAG: i32 = 1000;
@@ -346,7 +345,7 @@ impl Comm {
     /// to know who will send to it, and the cost follows the messages, not the number of ranks squared (Hoefler, Siebert
     /// and Lumsdaine 2010: synchronous sends closed by a non-blocking barrier). Messages to oneself are allowed.
     pub fn sparse_exchange(&self, messages: Vec<(usize, Vec<u64>)>) -> Vec<(usize, Vec<u64>)> {
-        now(self.sparse_exchange_later(messages))
+        requests::now(self.sparse_exchange_later(messages))
     }
 
     /// [`Comm::sparse_exchange`] as a part of work that overlaps.
@@ -363,7 +362,7 @@ impl Comm {
         if self.size > 1 {
             // Two rounds in flight cannot be mixed up: a rank enters the next only after the barrier of this one.
             self.round.set((self.round.get() + 1) % 2);
-            let mut round = Round::start(self, outgoing, 100 + self.round.get());
+            let mut round = Round::start(self.raw, &self.sent, outgoing, 100 + self.round.get());
             self.complete(|| round.go_on(&mut received)).await;
         }
         received.sort_by_key(|(from, _)| *from);

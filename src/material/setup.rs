@@ -18,7 +18,14 @@ pub struct Setup<'a> {
     pub initial_damage: &'a [f64],
     pub records: Records,
     /// Bounds of a smoothing length that follows density; constant without.
-    pub smoothing_length: Option<super::smoothing_length::Bounds>,
+    pub smoothing_length: Option<Bounds>,
+}
+
+/// Bounds of a smoothing length that follows density, in units of the smoothing length at the start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    pub smallest: f64,
+    pub largest: f64,
 }
 
 impl Setup<'_> {

@@ -6,6 +6,7 @@
 //! eq. 2.20, in closed form). Columns: smoothing_length (m) and its value at the last list build, on which lists and ghosts
 //! are based. No time-step limit of its own: density changes by a limited share per step already.
 
+use super::setup::Bounds;
 use super::{Core, Local, MaterialEffect, Setup};
 use crate::error::Result;
 use crate::particles::{Column, ColumnInfo, Integrated, Life, Registry};
@@ -13,13 +14,6 @@ use crate::particles::{Column, ColumnInfo, Integrated, Life, Registry};
 /// Names of the columns.
 pub const SMOOTHING_LENGTH: &str = "smoothing_length";
 pub const AT_BUILD: &str = "build_smoothing_length";
-
-/// Bounds in units of the smoothing length at the start.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bounds {
-    pub smallest: f64,
-    pub largest: f64,
-}
 
 pub struct SmoothingLength {
     bounds: Bounds,

@@ -9,7 +9,8 @@
 //! alone would not suffice: to matter between two piles that separate both are bound, each by itself, and would count as one.) The
 //! most massive result counts: by its whole mass, or by its matter of one body (`rank`).
 
-use super::Piece;
+use super::piece::Piece;
+use super::tally::all_values;
 use crate::domain::comm::Comm;
 use crate::gravity::{Body, Opening, solve};
 use crate::math::{ExactSum, Vec3};
@@ -139,7 +140,7 @@ impl Search<'_> {
             let members = (0..self.pieces.len()).filter(|&i| self.is_bound(i, motion, potential));
             members.for_each(|i| sum.add(self.pieces[i].mass));
         }
-        let masses = super::all_values(self.comm, &mut bound);
+        let masses = all_values(self.comm, &mut bound);
         let best = (0..SAMPLE).fold(0, |best, k| if masses[k] > masses[best] { k } else { best });
         let belongs = |i| motions.get(best).is_some_and(|motion| self.is_bound(i, motion, potential));
         (0..self.pieces.len()).map(belongs).collect()
@@ -172,7 +173,7 @@ impl Search<'_> {
     fn ranked(&self, members: &[bool]) -> f64 {
         let mut sum = [ExactSum::new()];
         self.chosen(members).for_each(|i| sum[0].add((self.rank)(&self.pieces[i])));
-        super::all_values(self.comm, &mut sum)[0]
+        all_values(self.comm, &mut sum)[0]
     }
 
     /// Mass and momentum of the members on all ranks.
@@ -184,7 +185,7 @@ impl Search<'_> {
             let values = [piece.mass, momentum.x, momentum.y, momentum.z];
             sums.iter_mut().zip(values).for_each(|(sum, value)| sum.add(value));
         }
-        let [mass, x, y, z] = super::all_values(self.comm, &mut sums);
+        let [mass, x, y, z] = all_values(self.comm, &mut sums);
         (mass, Vec3::new(x, y, z))
     }
 

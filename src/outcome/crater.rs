@@ -15,6 +15,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::profiles::{Bowl, Ejecta, Pores};
+use super::tally::all_values;
 use super::target_particle::TargetParticle;
 use crate::domain::comm::Comm;
 use crate::material::porosity::DISTENTION;
@@ -160,7 +161,7 @@ fn ejected(comm: &Comm, particles: impl Iterator<Item = TargetParticle>, speed: 
         let above = if particle.height > 0.0 { particle.mass } else { 0.0 };
         sums.iter_mut().zip([particle.mass, particle.volume, above]).for_each(|(sum, share)| sum.add(share));
     }
-    let [mass, volume, mass_above_face] = super::all_values(comm, &mut sums);
+    let [mass, volume, mass_above_face] = all_values(comm, &mut sums);
     Ejected { mass, volume, mass_above_face }
 }
 
@@ -175,6 +176,6 @@ fn compaction(comm: &Comm, particles: impl Iterator<Item = TargetParticle>) -> C
         least[0] = now.min(least[0]);
     }
     comm.all_min(&mut least);
-    let [compacted_volume, crushed_volume] = super::all_values(comm, &mut sums);
+    let [compacted_volume, crushed_volume] = all_values(comm, &mut sums);
     Compaction { minimum_distention: least[0], compacted_volume, crushed_volume }
 }

@@ -3,7 +3,8 @@
 
 use std::fmt::Write;
 
-use super::{Evaluation, Piece};
+use super::evaluation::Evaluation;
+use super::piece::Piece;
 use crate::domain::comm::Comm;
 use crate::math::ExactSum;
 

@@ -13,8 +13,9 @@ use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
 
+use super::particle::Particle;
+use super::piece::Piece;
 use super::tally::{Scale, Tally};
-use super::{Particle, Piece};
 use crate::domain::comm::Comm;
 use crate::gravity::G;
 

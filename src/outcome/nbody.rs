@@ -7,8 +7,8 @@ use bytemuck::{Pod, Zeroable};
 
 use super::distributions::{least_listed, rank_of};
 use super::fragments::{self, Link};
-use super::tally::{self, NONE, Scale};
-use super::{LINK_DAMAGE, Particle, all_values};
+use super::particle::{LINK_DAMAGE, Particle};
+use super::tally::{self, NONE, Scale, all_values};
 use crate::domain::comm::Comm;
 use crate::math::ExactSum;
 

@@ -1,28 +1,16 @@
 //! The fate of each body: shares of its own matter, wherever it ended. A fragment or an aggregate belongs to a body by the share of
 //! that body's matter that it holds; aggregates of several bodies are reported under each.
 
-use serde::{Deserialize, Serialize};
-
-use super::tally::Scale;
-use super::{Evaluation, LINK_DAMAGE, Particle, Piece, Question, Remnants, all_values, bound, counted, fragments};
+use super::evaluation::{Evaluation, Origin, Remnants, counted};
+use super::particle::{LINK_DAMAGE, Particle};
+use super::piece::{Piece, Question};
+use super::tally::{Scale, all_values};
+use super::{bound, fragments};
 use crate::domain::comm::Comm;
 use crate::math::ExactSum;
 
 /// Bodies beside target and projectile that are reported; each costs a search.
 const MOST_OTHERS: usize = 8;
-
-/// Shares of a body's own matter.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Origin {
-    /// Its number.
-    pub body: usize,
-    /// Share in the largest remnant of the impact.
-    pub in_largest_remnant: f64,
-    /// Share in the aggregate that holds most of it; in 2D in the piece.
-    pub remnant: f64,
-    /// Share in the intact fragment that holds most of it.
-    pub fragment: f64,
-}
 
 /// The fates of target, projectile and the first others of the scene; `masses` of all its bodies, kg. Collective.
 pub fn by_body(

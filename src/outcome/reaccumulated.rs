@@ -13,7 +13,8 @@ use std::collections::VecDeque;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Evaluation, all_values};
+use super::evaluation::Evaluation;
+use super::tally::all_values;
 use crate::domain::comm::Comm;
 use crate::gravity::G;
 use crate::math::{ExactSum, Vec3};

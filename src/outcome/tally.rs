@@ -4,9 +4,9 @@
 
 use bytemuck::{Pod, Zeroable};
 
-use super::Particle;
+use super::particle::Particle;
 use crate::domain::comm::Comm;
-use crate::math::Vec3;
+use crate::math::{ExactSum, Vec3};
 
 /// No body is in question.
 pub const NONE: [usize; 2] = [usize::MAX; 2];
@@ -112,6 +112,12 @@ pub fn total(comm: &Comm, scale: &Scale, particles: &[Particle], bodies: [usize;
     let mut sum = Tally::default();
     all.iter().for_each(|tally| sum.merge(tally));
     sum
+}
+
+/// The values of exact sums over all ranks. Collective.
+pub(super) fn all_values<const N: usize>(comm: &Comm, sums: &mut [ExactSum; N]) -> [f64; N] {
+    let values = comm.sum_exactly(sums);
+    std::array::from_fn(|k| values[k])
 }
 
 #[cfg(test)]

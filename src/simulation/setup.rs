@@ -87,7 +87,7 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
     let smoothing_length = match scene.numerics.smoothing_length {
         SmoothingLengthRule::Constant => None,
         SmoothingLengthRule::FollowsDensity { smallest, largest } => {
-            Some(material::smoothing_length::Bounds { smallest, largest })
+            Some(material::setup::Bounds { smallest, largest })
         }
     };
     let setup = Setup {

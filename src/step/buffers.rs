@@ -1,19 +1,10 @@
 //! What a rank holds for its pairs: records, and the chunks with and without ghosts in their rows. All of it follows from particles and
 //! lists, and can be given back between two steps.
 
-use std::time::Instant;
-
-use super::Stepper;
-use super::neighbourhood::Load;
-use super::phases::Phase;
-use crate::pair::Rows;
-use crate::particles::chunk::{CHUNK, chunk_range};
-use crate::particles::large_pages;
-
 /// A line of 64 bytes.
 #[repr(C, align(64))]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-pub(super) struct Line([f64; 8]);
+pub(super) struct Line(pub [f64; 8]);
 
 /// Records, and which chunks read those of ghosts.
 #[derive(Default)]
@@ -26,111 +17,4 @@ pub(super) struct Buffers {
     pub all: Vec<u32>,
     /// Whether lists and records were given back.
     pub released: bool,
-}
-
-impl<const D: usize> Stepper<'_, D> {
-    /// Gives the memory of lists and records back, for work that needs its own. The next step makes them anew from the
-    /// positions of the last build: nothing changes.
-    pub fn release_buffers(&mut self) {
-        self.neighbourhood.forget_list();
-        self.buffers.records = Vec::new();
-        self.buffers.released = true;
-    }
-
-    pub(super) fn rebuild_released(&mut self) {
-        if self.buffers.released {
-            self.rebuild(false);
-        }
-    }
-
-    /// What the last evaluation read; none where it was given back.
-    pub(super) fn rows(&self) -> Option<Rows<'_>> {
-        (!self.buffers.released).then(|| self.rows_now())
-    }
-
-    fn rows_now(&self) -> Rows<'_> {
-        let list = &self.neighbourhood.list;
-        Rows {
-            records: bytemuck::cast_slice(&self.buffers.records),
-            offsets: &list.offsets,
-            entries: &list.entries,
-            slots: &self.neighbourhood.local().slot_of_owned,
-        }
-    }
-
-    /// Bytes of the pair records held.
-    pub fn record_bytes(&self) -> usize {
-        std::mem::size_of::<Line>() * self.buffers.records.capacity()
-    }
-
-    /// Packs the records of all particles, `since` seconds after the last evaluation.
-    pub(super) fn pack(&mut self, since: f64) {
-        struct Records(*mut f64);
-        // SAFETY: chunks write to the slots of their own particles only, which are all different.
-        unsafe impl Sync for Records {}
-        impl Records {
-            fn start(&self) -> *mut f64 {
-                self.0
-            }
-        }
-        let records = Records(bytemuck::cast_slice_mut::<Line, f64>(&mut self.buffers.records).as_mut_ptr());
-        let (columns, packer) = (&self.columns, &self.settings.packer);
-        let slots = &self.neighbourhood.local().slot_of_owned;
-        self.workers.each(&self.buffers.all, |chunk, _| {
-            // SAFETY: `records` has a slot for every local particle, and no two particles share one.
-            unsafe { packer.pack(columns, chunk_range(chunk, columns.len()), since, slots, records.start()) };
-        });
-    }
-
-    pub(super) fn find_chunks(&mut self) {
-        self.buffers.all.clear();
-        self.buffers.all.extend(0..self.columns.len().div_ceil(CHUNK) as u32);
-    }
-
-    /// New lists; `fresh` from the present positions, otherwise from those of the last build.
-    pub(super) fn rebuild(&mut self, fresh: bool) {
-        self.buffers.released = false;
-        let start = Instant::now();
-        if fresh {
-            self.neighbourhood.start_afresh(&mut self.columns, &self.settings);
-            let rebisected = self.neighbourhood.balance(
-                &self.columns,
-                &Load { phases: &self.phases, steps: self.coming() },
-                self.comm,
-            );
-            self.counters.list_builds += 1;
-            self.counters.rebisections += rebisected as u64;
-        }
-        self.neighbourhood.distribute(&mut self.columns, &self.settings, self.comm);
-        self.counters.migrated += self.neighbourhood.migrated() as u64;
-        self.phases.add(Phase::Migration, start);
-        let start = Instant::now();
-        self.neighbourhood.build_list();
-        self.phases.add(Phase::Lists, start);
-        self.find_chunks();
-        let count = self.columns.len();
-        self.buffers.interior.clear();
-        self.buffers.boundary.clear();
-        let mut rest = self.neighbourhood.list.boundary.iter().peekable();
-        for &chunk in &self.buffers.all {
-            let range = chunk_range(chunk as usize, count);
-            let mut with_ghosts = false;
-            while rest.next_if(|row| (**row as usize) < range.end).is_some() {
-                with_ghosts = true;
-            }
-            if with_ghosts { self.buffers.boundary.push(chunk) } else { self.buffers.interior.push(chunk) }
-        }
-        let layout = *self.settings.pair_loop.layout();
-        let lines = layout.stride() / 8;
-        let needed = (self.neighbourhood.local().count + 1) * lines;
-        if self.buffers.records.capacity() < needed {
-            // The old ones are not read again.
-            self.buffers.records = large_pages::with_capacity(needed);
-        }
-        self.buffers.records.resize(needed, Line([0.0; 8]));
-        let padding = self.neighbourhood.local().count * layout.stride();
-        layout.padding(
-            &mut bytemuck::cast_slice_mut::<Line, f64>(&mut self.buffers.records)[padding..padding + layout.stride()],
-        );
-    }
 }

@@ -9,6 +9,7 @@ pub mod diagnostics;
 pub mod failure;
 pub mod integrator;
 pub mod late;
+mod lists;
 pub mod neighbourhood;
 mod own_gravity;
 pub mod pack;

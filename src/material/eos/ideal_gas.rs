@@ -6,7 +6,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Slopes;
+use super::slopes::Slopes;
 use crate::error::{Error, Result};
 use crate::units::Number;
 

@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::super::setup::all_positive;
-use super::{Slopes, bounded_sound, fading};
+use super::slopes::{Slopes, bounded_sound, fading};
 use crate::error::Result;
 use crate::units::{Density, Number, Pressure};
 

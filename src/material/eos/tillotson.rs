@@ -20,7 +20,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::super::setup::{all_positive, none_negative};
-use super::{Slopes, bounded_sound, fading};
+use super::slopes::{Slopes, bounded_sound, fading};
 use crate::error::{Error, Result};
 use crate::units::{Density, Number, Pressure, SpecificEnergy};
 
@@ -221,7 +221,8 @@ impl Tillotson {
 #[cfg(test)]
 mod tests {
     use super::super::super::testing::{basalt, nylon};
-    use super::super::{Eos, TENSION_FADES, TENSION_GONE};
+    use super::super::Eos;
+    use super::super::slopes::{TENSION_FADES, TENSION_GONE};
     use super::*;
 
     fn law(material: super::super::super::MaterialTable) -> Tillotson {

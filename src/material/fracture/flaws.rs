@@ -11,7 +11,7 @@
 //! (seed, id), and the process ends at k V eps^m = ln N + 0.577, the mean number of flaws per particle of the original
 //! among N; a particle has at least one. Only the weakest flaw is stored, the others are drawn again when needed.
 
-use super::FractureTable;
+use super::table::FractureTable;
 use crate::particles::ParticleId;
 use crate::random::uniform_pair;
 

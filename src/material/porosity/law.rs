@@ -29,7 +29,8 @@
 use super::crush_curve::CrushCurve;
 use super::elastic::Elastic;
 use super::strain_law::StrainLaw;
-use crate::material::eos::{Eos, Slopes, bounded_sound};
+use crate::material::eos::Eos;
+use crate::material::eos::slopes::{Slopes, bounded_sound};
 
 /// How distention follows compression.
 #[derive(Debug, Clone, PartialEq)]

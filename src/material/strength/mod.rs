@@ -24,20 +24,16 @@
 //! Columns: owns `deviatoric_stress`; stiffens the core column `sound_speed`.
 //! Time step: none of its own; the Courant condition uses the longitudinal speed.
 
+mod table;
 mod yield_law;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 
 use super::damage::damage_column;
 use super::porosity::{PoreColumns, distention_rate};
-use super::setup::{Table, all_positive};
 use super::{Core, Late, Local, MaterialEffect, MaterialTable, PerBody, Setup, eos};
 use crate::error::{Error, Result};
 use crate::math::{Deviator, Sym};
 use crate::particles::{Column, ColumnInfo, Integrated, Life, Registry};
-use crate::units::{Pressure, SpecificEnergy};
-pub use yield_law::{CollinsTable, DruckerPragerTable};
+pub use table::{CollinsTable, DruckerPragerTable, MeltingTable, StrengthTable};
 use yield_law::{Yield, returned};
 
 /// Name of the column that this effect owns.
@@ -46,41 +42,6 @@ pub const DEVIATORIC_STRESS: &str = "deviatoric_stress";
 /// Largest volume of a particle in the pair sums over the one it starts with; it bounds the speed of shear waves in
 /// spray.
 const LARGEST_VOLUME: f64 = 2.0;
-
-/// Resistance to shear: von Mises' law, sqrt(3 J2) up to the yield strength at any pressure, unless a table of friction is there.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct StrengthTable {
-    /// Shear modulus.
-    pub shear_modulus: Pressure,
-    /// Largest strength of cold matter at any pressure: of sqrt(3 J2) in von Mises' law, of sqrt(J2) with friction.
-    pub yield_strength: Pressure,
-    /// Heat weakens.
-    pub melting: Option<MeltingTable>,
-    /// Friction of rock, intact to broken; this or `drucker_prager`.
-    pub collins: Option<CollinsTable>,
-    /// Friction of granular matter; this or `collins`.
-    pub drucker_prager: Option<DruckerPragerTable>,
-}
-
-/// Heat weakens.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct MeltingTable {
-    /// Specific internal energy at which no strength is left.
-    pub energy: SpecificEnergy,
-}
-
-impl Table for StrengthTable {
-    fn validate(&self, place: &str, _material: &MaterialTable) -> Result<()> {
-        all_positive(place, &[("shear_modulus", self.shear_modulus.0), ("yield_strength", self.yield_strength.0)])?;
-        self.validate_law(place)?;
-        match self.melting {
-            Some(melting) => all_positive(&format!("{place}.melting"), &[("energy", melting.energy.0)]),
-            None => Ok(()),
-        }
-    }
-}
 
 #[derive(Debug, Clone, Copy)]
 struct Solid {
@@ -257,6 +218,7 @@ impl Strength {
 mod tests {
     use super::super::testing::{Rig, basalt, without_fracture};
     use super::*;
+    use crate::units::Pressure;
     use crate::math::Mat3;
 
     fn stress_column(rig: &Rig) -> Column<Deviator> {

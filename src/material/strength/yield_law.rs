@@ -17,38 +17,11 @@
 //! at P = -Y_c / mu_d (broken matter without cohesion bears none). Y of a porous body takes the pressure of the body, not of
 //! its matrix, and does not depend on alpha.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::super::setup::{all_positive, none_negative};
-use super::StrengthTable;
+use super::table::StrengthTable;
 use crate::error::{Error, Result};
 use crate::math::Deviator;
-use crate::units::{Number, Pressure};
-
-/// Rock with friction, sqrt(J2) up to Y(P, D); damage acts on shear through Y alone.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct CollinsTable {
-    /// Y_0: sqrt(J2) that intact cold matter bears without pressure.
-    pub cohesion: Pressure,
-    /// mu_i: coefficient of friction of intact rock.
-    pub internal_friction: Number,
-    /// mu_d: coefficient of friction of broken rock.
-    pub friction: Number,
-    /// Y_c: cohesion of broken rock.
-    pub damaged_cohesion: Pressure,
-}
-
-/// Granular matter, sqrt(J2) up to cohesion + friction P, at most the yield strength.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct DruckerPragerTable {
-    /// Strength without pressure.
-    pub cohesion: Pressure,
-    /// Coefficient of friction.
-    pub friction: Number,
-}
+use crate::units::Pressure;
 
 /// A stress this little beyond the yield surface was put there by rounding and stays, so that a second return changes
 /// no bit.
