@@ -17,7 +17,7 @@ use crate::output::figures::or_warn;
 use crate::output::publish::replace_text;
 use crate::output::summary::{self, Figures};
 use crate::output::{Summary, agree};
-use crate::scene::{Body, BodyShape, Scene};
+use crate::scene::{Body, BodyShape, Scene, USUAL_RADII};
 use crate::simulation::lock::Work;
 use crate::simulation::{self, Ended, Options};
 use crate::warning::{self, Warning};
@@ -135,7 +135,8 @@ impl<'a> Search<'a> {
         let asked = self.scene.threshold.as_ref().expect("checked in `new`");
         // A projectile as large as its target is no projectile; one of a hundredth leaves a crater.
         let size = self.target.shape.outer_radius();
-        let range = [asked.min.unwrap_or(0.01 * size), asked.max.unwrap_or(size)].map(|length| self.q(length));
+        let range = [asked.min.unwrap_or(USUAL_RADII[0] * size), asked.max.unwrap_or(USUAL_RADII[1] * size)]
+            .map(|length| self.q(length));
         Rules {
             start: self.reference.q_star(size),
             tolerance: asked.tolerance,
