@@ -276,7 +276,7 @@ impl Page {
         self.path.split('.').filter(|step| *step != NAME).eq(name.iter().copied())
     }
 
-    /// The same, with names of the scene's own.
+    /// Whether it is the page of the table of this path, names of the scene's own included.
     fn is_named(&self, name: &[&str]) -> bool {
         let own: Vec<&str> = self.path.split('.').collect();
         own.len() == name.len() && own.iter().zip(name).all(|(own, wanted)| own == wanted || *own == NAME)
