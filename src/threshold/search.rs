@@ -19,7 +19,7 @@ use crate::output::summary::{self, Figures};
 use crate::output::{Summary, on_root};
 use crate::process::directory;
 use crate::process::lock::Work;
-use crate::scene::{Body, BodyShape, Scene};
+use crate::scene::{Body, BodyShape, Scene, USUAL_RADII};
 use crate::simulation::{self, Ended, Options};
 use crate::warning::{self, Warning};
 
@@ -136,7 +136,9 @@ impl<'a> Search<'a> {
         let settings = self.scene.threshold.as_ref().expect("checked in `new`");
         // A projectile must be smaller than its target; one of a hundredth only makes a crater.
         let size = self.target.shape.outer_radius();
-        let range = [settings.min.unwrap_or(0.01 * size), settings.max.unwrap_or(size)].map(|length| self.q(length));
+        let [least, most] = USUAL_RADII;
+        let range =
+            [settings.min.unwrap_or(least * size), settings.max.unwrap_or(most * size)].map(|length| self.q(length));
         Rules {
             start: self.reference.q_star(size),
             tolerance: settings.tolerance,

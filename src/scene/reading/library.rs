@@ -222,7 +222,7 @@ mod tests {
         let own = law("elastic_strain = 0.01");
         assert!(!own.contains_key("P_e") && own["kappa"].as_float() == Some(1.0), "{own}");
         assert!(!law("P_e = false").contains_key("P_e"));
-        // Of what is set over a scene, too, whatever the scene says.
+        // What is set over a scene replaces the library's choice, too, whatever the scene says.
         let text =
             format!("{BODY}[material.basalt.strength.collins]\n[material.basalt.porosity.epsilon_alpha]\nP_e = 5\n");
         let set = [

@@ -73,6 +73,7 @@ fn collect(path: String, table: Inner, about: String, found: &mut Vec<Page>) {
     for Field { name, schema, required, mut about } in fields {
         let form = form(schema);
         let default = match schema.get("default") {
+            Some(Value::Number(number)) => number.as_f64().map_or(number.to_string(), |number| number.to_string()),
             Some(value) if !value.is_object() && !value.is_array() => value.to_string(),
             _ if schema.get(DEFAULT).is_some() => text(schema, DEFAULT),
             _ if schema.get(FROM_LIBRARY).is_some() => FROM_ELSEWHERE.into(),
@@ -143,6 +144,8 @@ fn form(schema: &Value) -> Form<'_> {
     let mut form = accepted(schema, object);
     let number = |key: &str| object.get(key).and_then(Value::as_f64);
     match (number("minimum"), number("maximum")) {
+        // Values that are listed say all.
+        _ if object.contains_key("enum") => {}
         (Some(low), Some(high)) => form.allowed.push(format!("{low} to {high}")),
         (Some(low), None) if low != 0.0 => form.allowed.push(format!("{low} or more")),
         (None, Some(high)) => form.allowed.push(format!("at most {high}")),
@@ -166,7 +169,9 @@ fn accepted<'a>(schema: &'a Value, object: &'a Map<String, Value>) -> Form<'a> {
         return Form { kinds: values.iter().map(Value::to_string).collect(), ..Form::default() };
     }
     if let Some(Value::Array(alternatives)) = object.get("anyOf") {
-        return alternatives.iter().map(form).fold(Form::default(), merged);
+        let mut all = alternatives.iter().map(form).fold(Form::default(), merged);
+        all.kinds = plain(all.kinds);
+        return all;
     }
     if let Some(Value::Array(alternatives)) = object.get("oneOf") {
         return one_of(schema, alternatives);
@@ -181,7 +186,11 @@ fn accepted<'a>(schema: &'a Value, object: &'a Map<String, Value>) -> Form<'a> {
         Some("object") => match object.get("additionalProperties") {
             Some(values @ Value::Object(_)) => {
                 let inner = form(values);
-                let kind = format!("table of {}", or(&inner.kinds));
+                let kind = if inner.table.is_some() {
+                    "tables by name".into()
+                } else {
+                    format!("table of {}", or(&inner.kinds))
+                };
                 Form { table: inner.table.map(|table| Inner { named: true, ..table }), ..single(&kind) }
             }
             _ => single("table"),
@@ -225,16 +234,27 @@ fn list(object: &Map<String, Value>) -> Form<'_> {
     let Some(items) = object.get("items") else { return Form { kinds: vec!["list".into()], ..Form::default() } };
     let inner = form(items);
     let count = object.get("maxItems").filter(|most| object.get("minItems") == Some(most));
-    let many = count.map_or("list of".to_string(), |count| format!("{count} of"));
-    Form {
-        kinds: vec![format!("{many} {}", or(&inner.kinds))],
-        table: inner.table.map(|table| Inner { list: true, ..table }),
-        ..inner
-    }
+    let kind = match (&inner.table, count) {
+        (Some(_), _) => "tables".into(),
+        (None, Some(count)) => format!("{count} of {}", or(&inner.kinds)),
+        (None, None) => format!("list of {}", or(&inner.kinds)),
+    };
+    Form { kinds: vec![kind], table: inner.table.map(|table| Inner { list: true, ..table }), ..inner }
+}
+
+/// Kinds in fewer words: a zero without unit is no kind of its own, neither is what only takes back a value of the library.
+fn plain(kinds: Vec<String>) -> Vec<String> {
+    let list_of = |kind: &String| format!("list of {kind}");
+    let is_listed = |kind: &String| kinds.contains(&list_of(kind));
+    let takes_back = kinds.contains(&"false".into()) && !kinds.contains(&"true".into());
+    let kept = kinds.iter().filter(|kind| {
+        *kind != "0" && !(takes_back && *kind == "false") && !kinds.iter().any(|single| **kind == list_of(single))
+    });
+    kept.map(|kind| if is_listed(kind) { format!("one {kind}, or a list") } else { kind.clone() }).collect()
 }
 
 fn merged<'a>(mut all: Form<'a>, next: Form<'a>) -> Form<'a> {
-    all.kinds.extend(next.kinds.into_iter().filter(|kind| kind != "0"));
+    all.kinds.extend(next.kinds);
     all.kinds.dedup();
     all.allowed.extend(next.allowed);
     all.words.extend(next.words);
@@ -256,7 +276,7 @@ impl Page {
         self.path.split('.').filter(|step| *step != NAME).eq(name.iter().copied())
     }
 
-    /// The same, with names of the scene's own.
+    /// Whether it is the page of the table of this path, names of the scene's own included.
     fn is_named(&self, name: &[&str]) -> bool {
         let own: Vec<&str> = self.path.split('.').collect();
         own.len() == name.len() && own.iter().zip(name).all(|(own, wanted)| own == wanted || *own == NAME)
@@ -336,4 +356,50 @@ fn wrapped(text: &str, indent: usize) -> String {
         }
     }
     lines.iter().map(|line| format!("{}{line}\n", " ".repeat(indent))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::schema;
+
+    fn key(table: &str, name: &str) -> Key {
+        let pages = pages(&schema::of_scene());
+        let page = find(&pages, table).unwrap_or_else(|| panic!("no page of {table}"));
+        page.keys.iter().find(|key| key.name == name).unwrap_or_else(|| panic!("no {name} in {table}")).clone()
+    }
+
+    #[test]
+    fn keys_have_type_unit_default_and_range() {
+        let facts = |table, name| {
+            let Key { kind, default, allowed, .. } = key(table, name);
+            [kind, default, allowed]
+        };
+        assert_eq!(facts("numerics", "cfl"), ["number", "0.25", "0.001 to 1"]);
+        assert_eq!(facts("run", "checkpoint_every"), ["time (s)", "\"600 s\"", "more than 0"]);
+        assert_eq!(facts("run", "until"), ["\"settled\" or time (s)", "\"settled\" for impacts", ""]);
+        assert_eq!(facts("body", "velocity"), ["one speed (m/s), or a list", "", ""]);
+        assert_eq!(facts("[[body]]", "name"), ["text", "required", ""]);
+        assert_eq!(facts("body.shape.sphere", "radius"), ["length (m)", "required", "more than 0"]);
+        assert_eq!(facts("gravity", "self"), ["true, false or table", "false", ""]);
+        assert_eq!(facts("layer", "x"), ["2 of length (m)", "", ""]);
+        assert_eq!(facts("material.fracture", "weibull_m"), ["number", "the library's", ""]);
+        assert_eq!(facts("material.basalt.porosity", "p_alpha"), ["true, false or table", "", ""]);
+        assert!(key("compare", "with").about.contains("\"rest\": Matter at rest"));
+        assert!(key("body.motion", "damping").about.contains("absorbing"));
+        assert_eq!(key("material.porosity.p_alpha.measured", "file").kind, "text");
+    }
+
+    /// No page without a text, no key without one, no line too long for a terminal.
+    #[test]
+    fn everything_is_explained() {
+        for page in pages(&schema::of_scene()) {
+            assert!(!page.about.is_empty(), "{}", page.path);
+            // Axes need no words.
+            let mute = |key: &&Key| key.kind.is_empty() || key.about.is_empty() && page.path != "domain.periodic";
+            let mute = page.keys.iter().find(mute);
+            assert_eq!(mute, None, "{}", page.path);
+            assert!(page.text().lines().all(|line| line.chars().count() <= WIDTH), "{}", page.text());
+        }
+    }
 }

@@ -112,7 +112,7 @@ const ETA: Range = [0.8, 3.0];
 
 /// Bodies whose densities differ by more than this factor are told apart in their pairs, see `pair::contrast`.
 const ALIKE: f64 = 2.0;
-/// The same where nothing has strength: below it both keep energy, beyond it liquids in thin gas gain and lose as much as there is.
+/// The factor from which on pairs are told apart where nothing has strength: below it both kinds of pairs keep energy, beyond it liquids in thin gas gain and lose as much as there is.
 const APART: f64 = 100.0;
 
 /// Volume of the ball (or area of the disc) of radius 1.

@@ -44,7 +44,7 @@ pub struct BodyTable {
     pub lattice: LatticeKind,
     /// How the lattice is turned; upright without it.
     pub orientation: Option<OrientationTable>,
-    /// Where the centre is; the origin without it. [impact] places the projectile.
+    /// Where the centre is, one component per dimension; the origin without it. [impact] places the projectile.
     pub position: Option<Components<Length>>,
     /// Velocity of the centre; at rest without it. [impact] gives the projectile's, and the target of an impact rests.
     pub velocity: Option<Components<Speed>>,

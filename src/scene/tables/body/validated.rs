@@ -55,7 +55,7 @@ impl Body {
         self.cut.map_or_else(|| self.whole_volume(), |cut| cut.volume)
     }
 
-    /// The same of all parts together.
+    /// Exact volume of the matter of the body that it is or is a part of, m^3 (in 2D m^2).
     fn whole_volume(&self) -> f64 {
         self.rubble.as_ref().map_or_else(|| self.shape.volume(self.dimension), |rubble| rubble.volume)
     }

@@ -20,11 +20,11 @@ pub struct ThresholdTable {
     tolerance: Number,
     /// Least radius.
     #[schemars(extend("x-allowed" = POSITIVE))]
-    #[schemars(extend("x-default" = "0.01 radii of the target"))]
+    #[schemars(extend("x-default" = format!("{} radii of the target", USUAL_RADII[0])))]
     min: Option<Length>,
     /// Largest radius.
     #[schemars(extend("x-allowed" = POSITIVE))]
-    #[schemars(extend("x-default" = "the radius of the target"))]
+    #[schemars(extend("x-default" = format!("{} radius of the target", USUAL_RADII[1])))]
     max: Option<Length>,
     /// Largest number of impacts that look for the bracket.
     #[serde(default = "sixteen")]
@@ -36,6 +36,8 @@ pub struct ThresholdTable {
     repeats: u32,
 }
 
+/// Bounds of the varied length where the scene has none, over the target's.
+pub const USUAL_RADII: Range = [0.01, 1.0];
 const TOLERANCE: Range = [1e-4, 1.0];
 const FEWEST_IMPACTS: u32 = 2;
 const REPEATS: &str = "0, or 2 and more";
