@@ -435,7 +435,7 @@ fn impossible_boundaries_are_refused() {
         ("x = [0, \"3 cm\"]", "z = [0, \"3 cm\"]", &["layer", "no z axis in 2"]),
         ("body = \"coarse\"", "body = \"course\"", &["layer", "unknown body `course`", "did you mean `coarse`?"]),
         ("along = [\"x\"]", "along = [\"z\"]", &["no z axis in 2"]),
-        ("[\"1 km/s\", \"300 m/s\"]", "[\"1 km/s\"]", &["1 components in 2 dimensions"]),
+        ("[\"1 km/s\", \"300 m/s\"]", "[\"1 km/s\"]", &["1 component in 2 dimensions"]),
         ("damping = \"5 us\"", "damping = 0", &["damping within 0 s", "above zero"]),
     ];
     assert!(parse(CHANNEL, &[]).is_ok());
