@@ -57,7 +57,7 @@ pub struct Args {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub overrides: Vec<String>,
 
-    /// Directory for the run's files [default: runs/<scene>]. A run that stands there is renamed, other files are left alone.
+    /// Directory for the run's files [default: `runs/SCENE`]. A run that stands there is renamed, other files are left alone.
     #[arg(long, value_name = "DIRECTORY")]
     pub out: Option<PathBuf>,
 

@@ -92,7 +92,10 @@ fn a_search_without_a_bracket_has_a_reason_and_the_campaign_goes_on() {
 fn what_makes_no_campaign() {
     for (campaign, says) in [
         (CAMPAIGN.replace("\"ice\"]\nmat", "\"ice\", \"dust\"]\nmat"), "labels do not name the values"),
-        (CAMPAIGN.to_string() + "[study.set]\nthreshold = false\nrun.until = \"1 s\"\n", "the error of a run is not defined"),
+        (
+            CAMPAIGN.to_string() + "[study.set]\nthreshold = false\nrun.until = \"1 s\"\n",
+            "the error of a run is not defined",
+        ),
         (CAMPAIGN.replace("[study.tog", "target = \"1 %\"\n[study.tog"), "nothing says what the error is"),
     ] {
         let dir = folder(&campaign);

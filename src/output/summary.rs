@@ -85,7 +85,7 @@ impl<'de> Deserialize<'de> for Remnants {
 pub struct Summary {
     pub title: String,
     pub version: String,
-    /// See [`super::state_hash`]: the same for any ranks and threads.
+    /// See [`state_hash`](mod@super::state_hash): the same for any ranks and threads.
     pub state_hash: String,
     /// State of the steps beside the particles: number and length of steps, time, state of integrators and gravity.
     pub step_state: serde_json::Value,

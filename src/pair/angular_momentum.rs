@@ -5,7 +5,7 @@
 //! sum V_i a(sigma_i M_i)           a(A): the axial vector of A - A^T, (A_zy - A_yz, A_xz - A_zx, A_yx - A_xy)
 //! ```
 //! which vanishes inside uniform matter, where M is 1, but not along surfaces: a pile of blocks at rest begins to rotate. An
-//! antisymmetric stress W_i = [w_i]x beside sigma_i cancels it, where (sigma + W) M is symmetric:
+//! antisymmetric stress W_i = (w_i x) beside sigma_i cancels it, where (sigma + W) M is symmetric:
 //!
 //! ```text
 //! W M + M W = M sigma - sigma M        (tr(M) - M) w = a(M sigma)

@@ -35,7 +35,7 @@ pub struct Packing {
     pub crowded: u64,
     /// Those that are packed less densely.
     pub sparse: u64,
-    /// Particles with less than half of the matter around them, [`COMPRESSED`] times as dense as initially.
+    /// Particles with less than half of the matter around them, twice as dense as initially.
     pub alone: u64,
 }
 

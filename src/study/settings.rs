@@ -31,7 +31,7 @@ struct StudyTable {
     /// Path of the scene, from the folder of the study's file.
     scene: String,
     /// What is compared: a key of `errors` in summary.json, or any figure of it (`outcome.unbound_mass`) with `value` or `against`. Not
-    /// needed where the scene has a [threshold].
+    /// needed where the scene has a `[threshold]`.
     error: Option<String>,
     /// What the figure should be, SI or with a unit.
     #[schemars(with = "Option<NumberOrText>")]

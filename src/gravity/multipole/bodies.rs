@@ -1,4 +1,4 @@
-//! Bodies on bodies: the spline-softened attraction, as in [`super::direct`], eight sources at a time.
+//! Bodies on bodies: the spline-softened attraction, as in [`direct`](mod@super::direct), eight sources at a time.
 
 use crate::math::lanes::{LANES, Lanes};
 

@@ -13,7 +13,7 @@
 //! The published form fails in expansion, where it was never fitted; three guards, each outside the range of the fit:
 //! - For mu < 0, B mu^2 is dropped where B > 2 A (nylon, water), and B counts as A where it lies between: with B > A cold
 //!   matter below eta = 1 - A/B would explode.
-//! - Tension fades (see [`super::fading`]): the tension of the formula grows down to eta = 0.5 (to A/4); that of a solid does not.
+//! - Tension fades (see [`fading`](super::slopes)): the tension of the formula grows down to eta = 0.5 (to A/4); that of a solid does not.
 //! - c^2 >= A / (4 rho_0), as c^2 < 0 in half of the expanded states.
 
 use schemars::JsonSchema;

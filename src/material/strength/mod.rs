@@ -218,8 +218,8 @@ impl Strength {
 mod tests {
     use super::super::testing::{Rig, basalt, without_fracture};
     use super::*;
-    use crate::units::Pressure;
     use crate::math::Mat3;
+    use crate::units::Pressure;
 
     fn stress_column(rig: &Rig) -> Column<Deviator> {
         rig.column(DEVIATORIC_STRESS)

@@ -15,7 +15,7 @@ use crate::scene::values::axis::{CoordinateAxis, Interval, interval};
 #[serde(deny_unknown_fields, default)]
 pub struct DomainTable {
     /// Axes along which space closes on itself, each with its ends: `{ x = ["0 m", "1 km"] }`. Boxes that fill a period get whole rows
-    /// of particles. Not with [impact].
+    /// of particles. Not with `[impact]`.
     periodic: BTreeMap<CoordinateAxis, Interval>,
 }
 

@@ -28,7 +28,7 @@ pub struct BodyReader<'a> {
     pub periods: &'a Periods,
     /// Spacing that "target" stands for, m.
     pub target_spacing: Option<f64>,
-    /// Whether [impact] places and moves this body; then it cannot do so itself.
+    /// Whether `[impact]` places and moves this body; then it cannot do so itself.
     pub placed: bool,
 }
 

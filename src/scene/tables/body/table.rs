@@ -26,7 +26,7 @@ pub struct BodyTable {
     pub name: String,
     /// Shape around the body's centre.
     pub shape: ShapeTable,
-    /// A material of the library, or of a table [material.NAME] with an `eos` or a `base`.
+    /// A material of the library, or of a table `[material.NAME]` with an `eos` or a `base`.
     pub material: String,
     /// Number of particles; this or `spacing`. The mass is that of the exact shape in any case.
     #[schemars(range(min = 1))]
@@ -44,9 +44,9 @@ pub struct BodyTable {
     pub lattice: LatticeKind,
     /// How the lattice is turned; upright without it.
     pub orientation: Option<OrientationTable>,
-    /// Where the centre is, one component per dimension; the origin without it. [impact] places the projectile.
+    /// Where the centre is, one component per dimension; the origin without it. `[impact]` places the projectile.
     pub position: Option<Components<Length>>,
-    /// Velocity of the centre; at rest without it. [impact] gives the projectile's, and the target of an impact rests.
+    /// Velocity of the centre; at rest without it. `[impact]` gives the projectile's, and the target of an impact rests.
     pub velocity: Option<Components<Speed>>,
     /// Angular velocity about the centre, one number in 2D; none without it.
     pub spin: Option<Components<Frequency>>,
