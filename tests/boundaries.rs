@@ -383,8 +383,8 @@ fn kept_in_one_dimension(c: f64, tau: f64, time: f64) -> f64 {
 }
 
 #[test]
-fn damping_layers_swallow_waves() {
-    ranks(1, "boundaries::damping_layers_swallow_waves", |comm| {
+fn damping_layers_absorb_waves() {
+    ranks(1, "boundaries::damping_layers_absorb_waves", |comm| {
         let mut reflected = Vec::new();
         for damping in ["", "60 us", "20 us", "4 us"] {
             let layers = if damping.is_empty() { String::new() } else { ENDS.replace("DAMPING", damping) };

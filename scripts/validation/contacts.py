@@ -28,7 +28,7 @@ CURES = {
     "unequal_particles": "the same",
     "slow_balls": "forces without torque are the default of solids (`src/pair/angular_momentum.rs`)",
     "iron_into_ice": "both, and a density contrast by default (`src/pair/contrast.rs`)",
-    "large_planet": "it starts with the energy of its compression (`src/scene/isentrope.rs`)",
+    "large_planet": "it starts with the energy of its compression (`src/scene/hydrostatic/isentrope.rs`)",
     "spinning_pile": "gravity between evaluations follows the particles (`src/gravity/attraction.rs`)",
 }
 

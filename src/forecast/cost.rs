@@ -13,6 +13,7 @@ use crate::material::BodyConstants;
 use crate::outcome::settled::Settled;
 use crate::output::text::{aligned, duration, number, size, words};
 use crate::pair::record::ViscousTerm;
+use crate::particles::Life;
 use crate::particles::columns::Entry;
 use crate::process::resources;
 use crate::scene::{Body, Precision, Scene, Snapshots, Until};
@@ -117,9 +118,16 @@ fn tables(scene: &Table, name: &str) -> Vec<String> {
 fn columns(plan: &Plan) -> String {
     let mut rows = vec![words(["column", "unit", "words", "effect", "life", "snapshots", "about"])];
     for entry in &plan.registry.entries {
-        let about = if entry.name == entry.info.name { entry.info.about } else { "Rate at the last evaluation." };
-        let unit = if entry.name == entry.info.name { entry.info.unit.to_string() } else { rate_of(entry.info.unit) };
-        let life = if entry.info.life.is_state() { "state" } else { "scratch" };
+        let (about, unit) = match entry.name.strip_prefix(entry.info.name) {
+            Some("") => (entry.info.about, entry.info.unit.to_string()),
+            Some("_rate") => ("Rate at the last evaluation.", rate_of(entry.info.unit)),
+            _ => ("Copy at the beginning of the step.", entry.info.unit.to_string()),
+        };
+        let life = match entry.info.life {
+            Life::State => "state",
+            Life::Kept => "kept",
+            Life::Scratch => "scratch",
+        };
         let snapshots = if entry.info.snapshot { "yes" } else { "no" };
         let width = entry.width.to_string();
         rows.push(words([entry.name.as_str(), &unit, &width, entry.owner, life, snapshots, about]));

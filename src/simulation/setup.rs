@@ -18,7 +18,7 @@ use crate::pair::record::{PressureGradient, StressTerm, TensorGradient, ViscousT
 use crate::pair::rows::Constants;
 use crate::pair::{PairLoop, Terms};
 use crate::particles::{Column, Columns, ParticleId, Registry};
-use crate::scene::{Blast, Body, Flow, InitialState, IntegratorRule, Pressed, Scene, SmoothingLengthRule};
+use crate::scene::{Blast, Body, Flow, InitialState, IntegratorRule, Pressed, Scene, SmoothingLengthRule, Until};
 use crate::step::StepSettings;
 use crate::step::integrator::{Integrator, PredictorCorrector, RungeKutta};
 use crate::step::pack::{Moments, Packer};
@@ -129,9 +129,15 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
     Ok(Plan { registry, view, effects, integrator, terms, constants, motions, gravity })
 }
 
-/// The integrator; it is declared last, as it has to know all integrated columns.
+/// Refuses what a scene says about heat where every law of its matter is cold: it would be lost, or never found.
 fn check_heat(scene: &Scene, registry: &Registry) -> Result<()> {
     let is_cold = registry.find::<f64>(INTERNAL_ENERGY).is_none();
+    let settles = scene.run.until == Until::Settled || scene.late_stage.is_some_and(|late| late.at == Until::Settled);
+    if is_cold && settles {
+        let error =
+            scene.error("run.until", "an impact settles by its internal energy, which cold matter does not have");
+        return Err(error.allowed("a time, or an equation of state with an internal energy"));
+    }
     let heated = scene.bodies.iter().find(|body| body.internal_energy != 0.0 || body.blast.is_some());
     match heated.filter(|_| is_cold) {
         Some(body) => {

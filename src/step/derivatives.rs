@@ -16,7 +16,7 @@ use crate::particles::{Chunk, Registry};
 /// Rows of a chunk that are summed between two requests for columns.
 const ROWS_PER_FETCH: usize = 32;
 
-/// Evaluates the rates of a chunk whose records are in `rows`; false where one of them is not finite, which is then noted.
+/// An evaluation of one chunk.
 pub struct Derivatives<'a> {
     pub settings: &'a StepSettings,
     pub registry: &'a Registry,
@@ -25,7 +25,7 @@ pub struct Derivatives<'a> {
 }
 
 impl Derivatives<'_> {
-    /// Evaluates the rates of the chunk, whose records stand in `rows`; false where one of them is not finite, which is then noted.
+    /// Evaluates the rates of the chunk, whose records are in `rows`; false where one of them is not finite, which is then noted.
     pub fn evaluate(&self, rows: &Rows, workspace: &mut Workspace) -> bool {
         let (chunk, settings) = (self.chunk, self.settings);
         // While pairs are summed, the columns that their sums will change are prefetched.

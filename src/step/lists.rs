@@ -40,11 +40,6 @@ impl<const D: usize> Stepper<'_, D> {
         }
     }
 
-    /// Bytes of the pair records held.
-    pub fn record_bytes(&self) -> usize {
-        std::mem::size_of::<Line>() * self.buffers.records.capacity()
-    }
-
     /// Packs the records of all particles, `since` seconds after the last evaluation.
     pub(super) fn pack(&mut self, since: f64) {
         struct Records(*mut f64);

@@ -10,7 +10,8 @@ use crate::gravity::Matter;
 use crate::gravity::attraction::Evaluation;
 use crate::particles::Columns;
 
-/// Pairs are summed while gravity is evaluated where it is kept for this many steps at least: it then counts a step later.
+/// Pairs are summed while gravity is evaluated where it is kept for this many steps at least: it then counts from the next evaluation
+/// on.
 const STEPS_TO_OVERLAP: f64 = 8.0;
 
 impl<'c, const D: usize> Stepper<'c, D> {

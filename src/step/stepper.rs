@@ -26,10 +26,10 @@ use crate::particles::{Chunk, Column, Columns, ParticleId};
 
 /// Chunks between two polls of pending messages.
 const CHUNKS_PER_POLL: usize = 8;
-/// A step that fails is tried again with this share of its length, where the integrator may refuse steps, and abandoned below
-/// this share of its first length.
+/// A step that fails is tried again with this share of its length, where the integrator may refuse steps.
 const SHORTER: f64 = 0.2;
-const SHORTEST: f64 = 1e-6;
+/// Share of its first length below which a step is abandoned.
+const SHORTEST: f64 = 1e-9;
 
 /// A step that was made.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -123,12 +123,16 @@ impl<'c, const D: usize> Stepper<'c, D> {
                         refused => refused,
                     }
                 }
-                Err(_) if self.settings.integrator.may_refuse() && tried > SHORTEST * dt => {
+                Err(_) if self.settings.integrator.may_refuse() && SHORTER * tried > SHORTEST * dt => {
                     Verdict::Refuse { next: SHORTER * tried }
                 }
                 Err(failure) => return Err(failure),
             };
             if let Verdict::Refuse { next } = verdict {
+                if next.is_nan() || next <= SHORTEST * dt {
+                    let what = format!("no step is short enough for the tolerated error: {next:e} s");
+                    return Err(Failure { step: self.coming(), particle: None, what });
+                }
                 self.counters.refused += 1;
                 self.chunk_pass(|passes, chunk, _| passes.settings.integrator.set_back(chunk));
                 tried = next;
@@ -197,14 +201,21 @@ impl<'c, const D: usize> Stepper<'c, D> {
     pub(super) fn evaluate_anew(&mut self) -> Result<(), Failure> {
         let time = self.state.time;
         let moment = Moment { time, dt: 0.0, since: 0.0, gravity_age: 0.0, stage: 0, last: true };
-        let reduced = self.evaluate(&moment, 0)?;
-        self.state.next = self.next_step(&reduced, f64::INFINITY)?;
+        // What fails here belongs to the step before: a run that goes back must not come here again.
+        let of_last_step = |failure: Failure, step: u64| Failure { step, ..failure };
+        let step = self.state.step;
+        let reduced = self.evaluate(&moment, 0).map_err(|failure| of_last_step(failure, step))?;
+        self.state.next = self.next_step(&reduced, f64::INFINITY).map_err(|failure| of_last_step(failure, step))?;
         Ok(())
     }
 
     /// The next step, s: no longer than any particle allows, nor than `most`. Collective.
     fn next_step(&mut self, reduced: &Reduced, most: f64) -> Result<f64, Failure> {
         let mut dt = reduced.limit.min(most);
+        if most < reduced.limit {
+            let limit = Limit { dt, reason: Limit::ERROR, id: ParticleId(0), position: [0.0; 3] };
+            self.limit = self.limit.tighter(limit);
+        }
         // Otherwise no particle moves by as much as the limit of approaching matter allows.
         if reduced.speed * dt > self.settings.cfl * reduced.smallest {
             dt = dt.min(self.closing(reduced.speed));
@@ -251,6 +262,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
             Limit::ACCELERATION => "acceleration",
             Limit::MOTION => "damping",
             Limit::CLOSING => "closing",
+            Limit::ERROR => "error",
             effect => self.settings.effects[effect - Limit::EFFECTS].name(),
         }
     }

@@ -27,7 +27,9 @@ impl Limit {
     pub const MOTION: usize = 2;
     pub const CLOSING: usize = 3;
     /// First number of a material effect.
-    pub const EFFECTS: usize = 4;
+    /// The error of a step that an integrator tolerates.
+    pub const ERROR: usize = 4;
+    pub const EFFECTS: usize = 5;
 
     pub const NONE: Self = Self { dt: f64::INFINITY, reason: 0, id: ParticleId(u64::MAX), position: [0.0; 3] };
 

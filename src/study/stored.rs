@@ -70,12 +70,17 @@ fn same_scene(scene: &Scene, study: &Analysis) -> std::result::Result<bool, Stri
     let Some(first) = study.points.first() else { return Ok(false) };
     let choice = |overrides: &[String]| scene.reread(overrides);
     let same_name = Path::new(scene.path()).file_name() == Path::new(&study.scene.path).file_name();
+    // Keys that scenes have had only since then have their defaults.
+    let before = || -> Table {
+        let now = Scene::parse(&study.scene.path, &study.scene.understood, &[]);
+        now.map_or_else(|_| study.scene.understood.parse().unwrap_or_default(), |scene| understood(&scene.to_toml()))
+    };
     match choice(&first.overrides) {
         Ok(there) if identity(&there) == study.scene.identity => Ok(true),
-        Ok(there) if same_name => {
-            let before: Table = study.scene.understood.parse().unwrap_or_default();
-            Err(difference(&before, &understood(&there.to_toml())).unwrap_or_default())
-        }
+        Ok(there) if same_name => match difference(&before(), &understood(&there.to_toml())) {
+            Some(difference) => Err(difference),
+            None => Ok(true),
+        },
         Err(error) if same_name => Err(format!("whose settings the scene no longer takes: {error}")),
         _ => Ok(false),
     }

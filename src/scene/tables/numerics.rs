@@ -56,7 +56,7 @@ pub struct NumericsTable {
 }
 
 /// `"predictor_corrector"`, or a table.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum IntegratorTable {
     /// Second order, one evaluation per step.
@@ -64,6 +64,36 @@ pub enum IntegratorTable {
     PredictorCorrector,
     /// Second order, two evaluations per step; a step whose error is too large is made again, shorter.
     RungeKutta(RungeKuttaTable),
+}
+
+impl<'de> Deserialize<'de> for IntegratorTable {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+        /// The table with its one key.
+        #[derive(Deserialize)]
+        #[serde(deny_unknown_fields)]
+        struct OneKey {
+            runge_kutta: RungeKuttaTable,
+        }
+        struct WordOrTable;
+        impl<'de> serde::de::Visitor<'de> for WordOrTable {
+            type Value = IntegratorTable;
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("\"predictor_corrector\" or { runge_kutta = { tolerance = 1e-4 } }")
+            }
+            fn visit_str<E: serde::de::Error>(self, word: &str) -> std::result::Result<Self::Value, E> {
+                match word {
+                    "predictor_corrector" => Ok(IntegratorTable::PredictorCorrector),
+                    "runge_kutta" => Ok(IntegratorTable::RungeKutta(RungeKuttaTable::default())),
+                    _ => Err(E::invalid_value(serde::de::Unexpected::Str(word), &self)),
+                }
+            }
+            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> std::result::Result<Self::Value, A::Error> {
+                OneKey::deserialize(serde::de::value::MapAccessDeserializer::new(map))
+                    .map(|table| IntegratorTable::RungeKutta(table.runge_kutta))
+            }
+        }
+        deserializer.deserialize_any(WordOrTable)
+    }
 }
 
 /// What the error control of `runge_kutta` tolerates.
@@ -448,5 +478,21 @@ mod tests {
         let error = both.err().unwrap();
         assert!(error.what.contains("both") && error.place.starts_with("s.toml:10"), "{error}");
         assert!(eta(&["numerics.neighbours=3"]).err().unwrap().allowed.starts_with("17 to"));
+    }
+
+    #[test]
+    fn an_integrator_is_a_word_or_a_table() {
+        let rule = |value: &str| {
+            let change = format!("numerics.integrator={value}");
+            Scene::parse("s.toml", TEXT, &[change]).map(|scene| scene.numerics.integrator)
+        };
+        assert_eq!(rule("\"predictor_corrector\"").unwrap(), IntegratorRule::PredictorCorrector);
+        for value in ["\"runge_kutta\"", "{ runge_kutta = {} }"] {
+            assert_eq!(rule(value).unwrap(), IntegratorRule::RungeKutta { tolerance: 1e-4 });
+        }
+        for wrong in ["\"runge\"", "3", "true", "{}", "{ runge_kutta = { tolerance = 0 } }"] {
+            let error = rule(wrong).err().unwrap().to_string();
+            assert!(error.contains("integrator") && !error.contains("variant"), "{wrong}: {error}");
+        }
     }
 }

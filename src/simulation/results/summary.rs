@@ -84,7 +84,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
     summary
 }
 
-/// The fate of each body.
+/// Whether energy is accounted for: cold matter does not record what it takes up.
 fn has_balance(scene: &Scene) -> bool {
     scene.bodies.iter().all(|body| !scene.materials[body.material].eos.law().is_cold())
 }
@@ -181,11 +181,14 @@ pub fn print(summary: &Summary, crater: Option<&Crater>, printed: usize, directo
         drift if drift.is_finite() => format!(", angular momentum {drift:.1e}"),
         _ => String::new(), // walls or periods do not conserve it
     };
+    let energy = match summary.energy_drift {
+        drift if drift.is_finite() => format!("energy {drift:.1e}, "),
+        _ => String::new(), // cold matter does not account for it
+    };
     tracing::info!(
-        "{} steps to t = {:.4e} s; drift of energy {:.1e}, momentum {:.1e}{}",
+        "{} steps to t = {:.4e} s; drift of {energy}momentum {:.1e}{}",
         summary.steps,
         summary.time,
-        summary.energy_drift,
         summary.momentum_drift,
         turning
     );

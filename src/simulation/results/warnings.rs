@@ -51,7 +51,8 @@ pub fn of_run<const D: usize>(report: &Report<D>, summary: &Summary) -> Vec<Warn
 
 fn energy(summary: &Summary) -> Option<Warning> {
     let (all, left) = (summary.energy_drift, summary.energy_drift_over_left);
-    if all <= ENERGY && (left.is_nan() || left <= ENERGY_OVER_LEFT) {
+    // Cold matter does not account for its energy.
+    if all.is_nan() || (all <= ENERGY && (left.is_nan() || left <= ENERGY_OVER_LEFT)) {
         return None;
     }
     let left = if left.is_nan() { String::new() } else { format!(", {left:.1e} of the kinetic energy that is left") };

@@ -9,6 +9,9 @@
 //! E = max(e_v / w, e_rho / rho) / tolerance, w the largest relative velocity of any two particles. A step with E > 1 is refused;
 //! the next one is dt clamp(0.9 / sqrt(E), 1/5, 2) long, and no longer than the limits of any step.
 //!
+//! Errors of a velocity below tolerance times 1e-6 of the speed of sound do not count, or matter at rest would have its rounding errors
+//! controlled.
+//!
 //! Irreversible changes start at each stage from the last accepted state. Columns: k_0 of velocities and of every integrated
 //! column, and a copy of every state column.
 
@@ -16,10 +19,12 @@ use std::cell::Cell;
 
 use super::{Integrator, Moved, StepError, Verdict, add};
 use crate::material::Core;
-use crate::particles::{Chunk, Life, Rates, Registry};
+use crate::particles::{Chunk, Column, Life, Rates, Registry};
 
 /// Next step over the one that the error would just allow.
 const CAUTION: f64 = 0.9;
+/// Velocities of this share of the speed of sound are rest.
+const REST: f64 = 1e-6;
 /// Bounds of the next step over this one.
 const CHANGE: [f64; 2] = [0.2, 2.0];
 
@@ -33,6 +38,7 @@ pub struct RungeKutta {
     /// (state column, its copy at the step's beginning).
     copies: Vec<(usize, usize)>,
     velocity_copy: usize,
+    sound_speed: Column<f64>,
     tolerance: f64,
 }
 
@@ -51,6 +57,7 @@ impl RungeKutta {
             velocity_copy: copy(moved.velocity.index),
             copies,
             moved,
+            sound_speed: core.sound_speed,
             tolerance,
         }
     }
@@ -96,8 +103,13 @@ impl RungeKutta {
             mean(x, first_of(first), first_of(second));
         }
         let mut error = StepError::default();
-        for ((v, first), second) in velocity.iter().zip(chunk.words(self.acceleration)).zip(&rates.acceleration) {
-            error.velocity = error.velocity.max(mean(v, first_of(first), second.get()));
+        let (sound_speed, width) = (chunk.view(self.sound_speed), velocity.len() / chunk.len().max(1));
+        let velocities = velocity.iter().zip(chunk.words(self.acceleration)).zip(&rates.acceleration);
+        for (k, ((v, first), second)) in velocities.enumerate() {
+            let off = mean(v, first_of(first), second.get());
+            if off > REST * self.tolerance * sound_speed.get(k / width) {
+                error.velocity = error.velocity.max(off);
+            }
         }
         for (slot, (&value, &rate)) in self.moved.integrated.iter().zip(&self.rates).enumerate() {
             let second = rates.blocks().nth(slot).expect("a block for each integrated column");
