@@ -73,15 +73,15 @@ pub struct Args {
     #[arg(long, value_name = "ERROR", value_parser = accuracy)]
     pub accuracy: Option<f64>,
 
-    /// Of a study: run point N alone, as a task of a job array.
+    /// Run one point of a study alone, as a task of a job array.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub task: Option<u32>,
 
-    /// Of a study: write tables and figures from the points that are there, and run none.
+    /// Write tables and figures of a study from the points that are there, and run none.
     #[arg(long, conflicts_with_all = ["task", "check", "resume"])]
     pub collect: bool,
 
-    /// Of a study: list its points, one a line, and end.
+    /// List the points of a study, one a line, and end.
     #[arg(long, conflicts_with_all = ["task", "check", "resume", "collect"])]
     pub points: bool,
 

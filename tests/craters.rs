@@ -16,7 +16,7 @@ use sph_mpi::simulation::setup;
 
 use crate::common::{Launch, assert_known_files, ranks, same_on_any_ranks, summary};
 
-/// Strengthless rock with a shell that swallows waves, hit at 30 deg from the horizontal.
+/// Strengthless rock with an absorbing shell, hit at 30 deg from the horizontal.
 const GROUND: &str = r#"
 title = "A small impact into ground"
 

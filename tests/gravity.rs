@@ -73,7 +73,7 @@ fn free_fall() {
     });
 }
 
-/// A column of molten rock on a floor that is held, between walls that are none: it goes on beyond both sides.
+/// A column of molten rock on a floor that is held, periodic sideways.
 const COLUMN: &str = r#"
 dimension = 2
 

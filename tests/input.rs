@@ -183,7 +183,7 @@ fn a_scene_does_not_steer_the_terminal() {
 
 /// What is asked of the machine is understood or refused, by the run and by `--check`.
 #[test]
-fn wishes_that_make_no_sense() {
+fn requests_that_make_no_sense() {
     let ball = body("ball", "disc = { radius = 1 }", "material = \"basalt\"");
     let scene = format!("dimension = 2\n{ball}[run]\nuntil = 1\nsteps = 1\n");
     for (args, (variable, value), says) in [

@@ -142,7 +142,7 @@ struct AllCells<'a, const D: usize> {
     blocks: &'a Blocks,
     summaries: &'a [Summary<D>],
     velocities: &'a [CellVelocities<D>],
-    /// Of each level, m.
+    /// Side of the cells of each level, m.
     sides: &'a [f64],
 }
 

@@ -293,7 +293,7 @@ mod tests {
             // Without rates turn / 2, with the slope alone turn^3 / 3.
             let off = torque(turn, [1.0, 1.0]);
             assert!(off.abs() < 0.02 * turn.powi(3), "{turn}: {off:e}");
-            // Of uneven intervals the third power stays, if less of it.
+            // With uneven intervals a smaller part of the third power stays.
             let off = torque(turn, [1.0, 0.8]);
             assert!(off.abs() < 0.1 * turn.powi(3), "{turn}: {off:e}");
         }

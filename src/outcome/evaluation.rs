@@ -62,9 +62,9 @@ pub struct Evaluation {
     pub pieces: Vec<Piece>,
     /// Which of them belong to the largest remnant.
     pub in_largest: Vec<bool>,
-    /// Of everything.
+    /// Centre of mass of all matter.
     pub centre: CentreOfMass,
-    /// Mass of everything, kg.
+    /// Mass of all matter, kg.
     pub mass: f64,
 }
 

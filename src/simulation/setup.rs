@@ -255,7 +255,7 @@ impl Plan {
     /// The settings of steps for particles from a checkpoint.
     pub fn settings(self, scene: &Scene) -> StepSettings {
         let numerics = &scene.numerics;
-        // Of the coarsest lattice, as measured by its smoothing length.
+        // The coarsest lattice counts, as measured by its smoothing length.
         let in_spacings =
             |(body, constants): (&Body, &BodyConstants)| constants.smoothing_length / body.lattice.spacing;
         let h = scene.bodies.iter().zip(&self.constants).map(in_spacings).fold(f64::INFINITY, f64::min);

@@ -54,7 +54,7 @@ pub struct Neighbourhood<const D: usize> {
     space: Space,
     words: usize,
     costs: Vec<u32>,
-    /// Of the present list.
+    /// Size of the present list.
     list_size: ListSize,
     /// Most bytes that a list has held.
     list_bytes: usize,
@@ -229,7 +229,7 @@ impl<const D: usize> Neighbourhood<D> {
         most[0] * comm.size() as f64 / total[0].max(1) as f64
     }
 
-    /// Of the present list.
+    /// Size of the present list.
     pub fn list_size(&self) -> ListSize {
         self.list_size
     }
