@@ -16,7 +16,7 @@ use crate::error::Result;
 use crate::material::MaterialTable;
 
 /// An elastic-plastic solid at rest.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Solid {
     pub medium: Medium,
     /// mu, Pa; zero for a fluid.

@@ -17,7 +17,7 @@ use crate::error::Result;
 use crate::material::eos::Eos;
 
 /// Uniform matter at rest.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Medium {
     pub law: Eos,
     /// kg/m^3.
@@ -254,21 +254,21 @@ pub(super) mod tests {
     #[test]
     fn impacts_obey_the_jump_conditions() {
         let gas = Medium { internal_energy: 2e5, ..medium("{ ideal_gas = { gamma = 1.4 } }", 1.2) };
-        let dense = Medium { density: 12.0, internal_energy: 2e4, ..gas };
+        let dense = Medium { density: 12.0, internal_energy: 2e4, ..gas.clone() };
         let warm = Medium { density: 2691.0, internal_energy: 7e3, ..basalt() };
         for (projectile, target, speed) in [
             (basalt(), ice(), 700.0),
             (nylon(), aluminium(), 9000.0),
-            (dense, gas, 350.0),
+            (dense.clone(), gas.clone(), 350.0),
             (gas, dense, 2000.0),
-            (warm, warm, 40.0),
+            (warm.clone(), warm, 40.0),
         ] {
             let impact = Impact::new(&projectile, &target, speed).unwrap();
             let (near_side, far_side) = (impact.projectile_shock, impact.target_shock);
             near(near_side.behind.stress, far_side.behind.stress, 1e-9);
             obeys_the_jump_conditions(&target.state(), &far_side);
             obeys_the_jump_conditions(&State { velocity: speed, ..projectile.state() }, &near_side);
-            for (medium, state) in [(projectile, near_side.behind), (target, far_side.behind)] {
+            for (medium, state) in [(&projectile, near_side.behind), (&target, far_side.behind)] {
                 near(medium.law.pressure(state.density, state.internal_energy).0, state.stress, 1e-12);
             }
             let t = 2e-3;

@@ -67,6 +67,8 @@ material_effects! {
         /// Equation of state; keys left out come from the library if the law is the same.
         eos: eos::EosTable
     };
+    /// Pressure and reference density of highly porous dust.
+    dust::Dust;
     /// Pores below the resolution; sets the pressure of porous bodies.
     porosity::Porosity {
         /// Pores below the resolution.
@@ -94,8 +96,23 @@ impl MaterialTable {
         self.eos.law().reference_density()
     }
 
+    /// Whether it bears shear.
     pub fn has_strength(&self) -> bool {
-        self.strength.is_some()
+        self.strength.is_some() || self.is_dust()
+    }
+
+    pub fn is_dust(&self) -> bool {
+        matches!(self.eos, eos::EosTable::Sirono(_))
+    }
+
+    /// Bulk and shear modulus without load, Pa, of matter that has this density, kg/m^3, then; a gas has none.
+    pub fn moduli(&self, density: f64) -> Option<[f64; 2]> {
+        if let Some(law) = self.dust() {
+            let bulk = law.bulk_modulus(density);
+            return Some([bulk, 0.5 * bulk]);
+        }
+        let shear = self.strength.as_ref().map_or(0.0, |strength| strength.shear_modulus.0);
+        Some([self.eos.law().bulk_modulus()?, shear])
     }
 
     /// Whether damage acts on shear through the yield strength alone.

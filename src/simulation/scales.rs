@@ -33,7 +33,7 @@ pub fn sound_speed(scene: &Scene, body: usize) -> f64 {
     let body = &scene.bodies[body];
     let (material, density) = (&scene.materials[body.material], body.density * body.distention);
     let (_, bulk) = material.eos.law().pressure(density, body.internal_energy);
-    let shear = material.strength.as_ref().map_or(0.0, |strength| strength.shear_modulus.0);
+    let shear = material.moduli(density).map_or(0.0, |[_, shear]| shear);
     (bulk * bulk + 4.0 / 3.0 * shear / density).sqrt()
 }
 

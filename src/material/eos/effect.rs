@@ -4,7 +4,7 @@
 //!
 //! u specific internal energy, J/kg; P pressure, Pa; c speed of sound, m/s.
 //! Columns: owns `internal_energy`; sets the core columns `pressure` and `sound_speed`, but for porous bodies, whose pressure
-//! is that of their matrix (see `porosity`).
+//! is that of their matrix (see `porosity`), and for dust, whose pressure depends on former loads (see `dust`).
 //! Time step: none of its own; the Courant condition uses its speed of sound.
 
 use super::super::{Core, Late, Local, MaterialEffect, PerBody, Setup};
@@ -18,7 +18,7 @@ pub const INTERNAL_ENERGY: &str = "internal_energy";
 /// Pressure and speed of sound of the particles that are not porous, and the internal energy of all, unless every law of the scene
 /// is cold; always present.
 pub struct EquationOfState {
-    /// `None` where all bodies are porous.
+    /// `None` where all bodies are porous or dust.
     laws: Option<PerBody<Eos>>,
     density: Column<f64>,
     energy: Option<Integrated<f64>>,
@@ -28,7 +28,7 @@ pub struct EquationOfState {
 
 impl MaterialEffect for EquationOfState {
     fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Result<Option<Self>> {
-        let laws = PerBody::new(setup, |_, material| material.porosity.is_none().then(|| material.eos.law()));
+        let laws = PerBody::new(setup, |_, material| (material.porosity.is_none() && !material.is_dust()).then(|| material.eos.law()));
         let cold = setup.body_material.iter().all(|&material| setup.materials[material].eos.law().is_cold());
         let energy = (!cold).then(|| {
             registry.owner("eos").integrated(ColumnInfo {
@@ -74,6 +74,7 @@ impl MaterialEffect for EquationOfState {
                 Eos::SimplifiedTillotson(law) => range.for_each(|i| set(i, law.pressure(state(i).0, state(i).1))),
                 Eos::IdealGas(law) => range.for_each(|i| set(i, law.pressure(state(i).0, state(i).1))),
                 Eos::Murnaghan(law) => range.for_each(|i| set(i, law.pressure(density.get(i)))),
+                Eos::Sirono(_) => {}
             }
         }
     }

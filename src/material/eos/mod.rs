@@ -4,6 +4,7 @@ mod effect;
 pub mod ideal_gas;
 pub mod murnaghan;
 pub mod simplified_tillotson;
+pub mod sirono;
 pub mod slopes;
 pub mod tillotson;
 
@@ -11,16 +12,17 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{MaterialTable, Table};
-use crate::error::Result;
+use crate::error::{Error, Result};
 pub use effect::{EquationOfState, INTERNAL_ENERGY};
 use ideal_gas::{IdealGas, IdealGasTable};
 use murnaghan::{Murnaghan, MurnaghanTable};
 use simplified_tillotson::{SimplifiedTillotson, SimplifiedTillotsonTable};
+use sirono::{Sirono, SironoTable};
 use slopes::Slopes;
 use tillotson::{Tillotson, TillotsonTable};
 
 /// Equation of state: a table with one key, the law.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum EosTable {
     /// Tillotson's equation of state.
@@ -30,6 +32,7 @@ pub enum EosTable {
     /// P = (gamma - 1) rho E.
     IdealGas(IdealGasTable),
     Murnaghan(MurnaghanTable),
+    Sirono(SironoTable),
 }
 
 impl EosTable {
@@ -39,34 +42,56 @@ impl EosTable {
             EosTable::SimplifiedTillotson(table) => Eos::SimplifiedTillotson(SimplifiedTillotson::new(table)),
             EosTable::IdealGas(table) => Eos::IdealGas(IdealGas::new(table)),
             EosTable::Murnaghan(table) => Eos::Murnaghan(Murnaghan::new(table)),
+            EosTable::Sirono(table) => Eos::Sirono(Sirono::new(table)),
         }
     }
 }
 
 impl Table for EosTable {
-    fn validate(&self, place: &str, _material: &MaterialTable) -> Result<()> {
+    fn validate(&self, place: &str, material: &MaterialTable) -> Result<()> {
         match self {
             EosTable::Tillotson(table) => table.validate(&format!("{place}.tillotson")),
             EosTable::SimplifiedTillotson(table) => table.validate(&format!("{place}.simplified_tillotson")),
             EosTable::IdealGas(table) => table.validate(&format!("{place}.ideal_gas")),
             EosTable::Murnaghan(table) => table.validate(&format!("{place}.murnaghan")),
+            EosTable::Sirono(table) => {
+                alone(place.trim_end_matches(".eos"), material)?;
+                table.validate(&format!("{place}.sirono"))
+            }
         }
     }
 }
 
+/// Refuses what the law of dust has of its own.
+fn alone(material_place: &str, material: &MaterialTable) -> Result<()> {
+    let others = [
+        ("porosity", material.porosity.is_some()),
+        ("strength", material.strength.is_some()),
+        ("fracture", material.fracture.is_some()),
+    ];
+    match others.iter().find(|(_, there)| *there) {
+        Some((table, _)) => Err(Error::new(format!("the law of dust, eos.sirono, has a {table} of its own"))
+            .at(format!("{material_place}.{table}"))
+            .allowed("no such table")),
+        None => Ok(()),
+    }
+}
+
 /// The closed family of equations of state.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Eos {
     Tillotson(Tillotson),
     SimplifiedTillotson(SimplifiedTillotson),
     IdealGas(IdealGas),
     Murnaghan(Murnaghan),
+    /// Without load; `dust` holds what load leaves behind.
+    Sirono(Sirono),
 }
 
 impl Eos {
     /// Whether pressure follows from density alone, so that no internal energy is needed.
     pub fn is_cold(&self) -> bool {
-        matches!(self, Eos::Murnaghan(_))
+        matches!(self, Eos::Murnaghan(_) | Eos::Sirono(_))
     }
 
     /// Pressure, Pa, and bulk speed of sound, m/s, at density `rho`, kg/m^3, and internal energy `u`, J/kg.
@@ -77,6 +102,7 @@ impl Eos {
             Eos::SimplifiedTillotson(law) => law.pressure(rho, u),
             Eos::IdealGas(law) => law.pressure(rho, u),
             Eos::Murnaghan(law) => law.pressure(rho),
+            Eos::Sirono(law) => law.unloaded(rho),
         }
     }
 
@@ -88,6 +114,7 @@ impl Eos {
             Eos::SimplifiedTillotson(law) => law.slopes(rho, u),
             Eos::IdealGas(law) => law.slopes(rho, u),
             Eos::Murnaghan(law) => law.slopes(rho),
+            Eos::Sirono(law) => law.slopes(rho),
         }
     }
 
@@ -97,6 +124,7 @@ impl Eos {
             Eos::Tillotson(law) => Some(law.reference_density()),
             Eos::SimplifiedTillotson(law) => Some(law.reference_density()),
             Eos::Murnaghan(law) => Some(law.reference_density()),
+            Eos::Sirono(law) => Some(law.reference_density()),
             Eos::IdealGas(_) => None,
         }
     }
@@ -107,6 +135,7 @@ impl Eos {
             Eos::Tillotson(law) => Some(law.bulk_modulus()),
             Eos::SimplifiedTillotson(law) => Some(law.bulk_modulus()),
             Eos::Murnaghan(law) => Some(law.bulk_modulus()),
+            Eos::Sirono(law) => Some(law.bulk_modulus(law.reference_density())),
             Eos::IdealGas(_) => None,
         }
     }
@@ -115,7 +144,7 @@ impl Eos {
     pub fn vaporisation(&self) -> Option<[f64; 2]> {
         match self {
             Eos::Tillotson(law) => Some(law.vaporisation()),
-            Eos::SimplifiedTillotson(_) | Eos::IdealGas(_) | Eos::Murnaghan(_) => None,
+            Eos::SimplifiedTillotson(_) | Eos::IdealGas(_) | Eos::Murnaghan(_) | Eos::Sirono(_) => None,
         }
     }
 }

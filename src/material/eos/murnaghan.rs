@@ -1,4 +1,4 @@
-//! Murnaghan's law, which is cold (Murnaghan 1944, PNAS 30, 244; Geretshauser et al. 2010, Eq. 20, for glass):
+//! Murnaghan's law, which is cold (Murnaghan 1944, PNAS 30, 244; Geretshauser et al. 2010, eq. 25, for glass):
 //!
 //! ```text
 //! P = K_0 / n [ (rho / rho_0)^n - 1 ]        c^2 = dP/drho = K_0 / rho_0 (rho / rho_0)^(n-1)

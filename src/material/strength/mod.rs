@@ -21,9 +21,10 @@
 //! back. With friction Y depends on damage, and S is the acting stress: damage affects shear in no other way, or broken rock
 //! under pressure would bear none. Y then needs the pressure, so that S returns to its surface when that is known, at the state
 //! of the pair loop; damage is that of the step before.
-//! Columns: owns `deviatoric_stress`; stiffens the core column `sound_speed`.
+//! Dust shears by its own law (see `dust`). Columns: owns `deviatoric_stress`; stiffens the core column `sound_speed`.
 //! Time step: none of its own; the Courant condition uses the longitudinal speed.
 
+mod dust;
 mod table;
 mod yield_law;
 
@@ -33,6 +34,7 @@ use super::{Core, Late, Local, MaterialEffect, MaterialTable, PerBody, Setup, eo
 use crate::error::{Error, Result};
 use crate::math::{Deviator, Sym};
 use crate::particles::{Column, ColumnInfo, Integrated, Life, Registry};
+use dust::DustShear;
 pub use table::{CollinsTable, DruckerPragerTable, MeltingTable, StrengthTable};
 use yield_law::{Yield, returned};
 
@@ -74,7 +76,9 @@ impl Solid {
 
 /// Deviatoric stress of the bodies that have strength.
 pub struct Strength {
-    solids: PerBody<Solid>,
+    /// `None` where all bodies that bear shear are dust.
+    solids: Option<PerBody<Solid>>,
+    dust: Option<DustShear>,
     stress: Integrated<Deviator>,
     density: Column<f64>,
     /// Where an equation of state has one; without it heat does not weaken.
@@ -89,9 +93,10 @@ pub struct Strength {
 
 impl MaterialEffect for Strength {
     fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Result<Option<Self>> {
-        let Some(solids) = PerBody::new(setup, |body, material| Solid::new(setup, body, material)) else {
+        if !setup.body_material.iter().any(|&material| setup.materials[material].has_strength()) {
             return Ok(None);
-        };
+        }
+        let solids = PerBody::new(setup, |body, material| Solid::new(setup, body, material));
         let pores = PoreColumns::find(registry);
         let stress = registry.owner("strength").integrated(ColumnInfo {
             name: DEVIATORIC_STRESS,
@@ -104,10 +109,14 @@ impl MaterialEffect for Strength {
         if energy.is_none() && setup.materials.iter().any(MaterialTable::melts) {
             return Err(Error::new("strength falls with heat, but no equation of state has an internal energy"));
         }
-        let breaks = |body| solids.of(body).is_some_and(|solid: &Solid| solid.friction && solid.can_break);
+        let breaks = |body| {
+            let solid = solids.as_ref().and_then(|solids| solids.of(body));
+            solid.is_some_and(|solid: &Solid| solid.friction && solid.can_break)
+        };
         let damage = (0..setup.constants.len()).any(breaks).then(|| damage_column(registry));
+        let dust = DustShear::new(setup, registry, core, stress);
         let (density, pressure, sound_speed) = (core.density.value, core.pressure, core.sound_speed);
-        Ok(Some(Self { solids, stress, density, energy, pressure, sound_speed, pores, damage }))
+        Ok(Some(Self { solids, dust, stress, density, energy, pressure, sound_speed, pores, damage }))
     }
 
     fn name(&self) -> &'static str {
@@ -115,19 +124,23 @@ impl MaterialEffect for Strength {
     }
 
     fn soften(&mut self, late: &Late) {
-        self.solids.iter_mut().for_each(|(body, solid)| solid.shear_modulus = late.0[body].after().shear);
+        let solids = self.solids.iter_mut().flat_map(PerBody::iter_mut);
+        solids.for_each(|(body, solid)| solid.shear_modulus = late.0[body].after().shear);
     }
 
     fn carry_over(&self, local: &Local, late: &Late) {
         let stress = local.view(self.stress.value);
-        for (body, range) in local.runs().filter(|(body, _)| self.solids.of(*body).is_some()) {
+        for (body, range) in local.runs().filter(|(body, _)| self.solids.as_ref().is_some_and(|solids| solids.of(*body).is_some())) {
             range.for_each(|i| stress.set(i, stress.get(i).scaled(late.0[body].ratio())));
         }
     }
 
     fn rates(&self, local: &Local) {
         let (stress, rate) = (local.view(self.stress.value), local.rate(self.stress));
-        for (solid, range) in self.solids.runs(local) {
+        if let Some(dust) = &self.dust {
+            dust.rates(local);
+        }
+        for (solid, range) in self.runs(local) {
             if let Some(pores) = self.pores.filter(|_| solid.porous) {
                 self.porous_rates(local, solid, range, &pores);
                 continue;
@@ -142,7 +155,10 @@ impl MaterialEffect for Strength {
 
     fn admit(&self, local: &Local) {
         let (stress, energy) = (local.view(self.stress.value), local.optional(self.energy));
-        for (solid, range) in self.solids.runs(local).filter(|(solid, _)| !solid.friction) {
+        if let Some(dust) = &self.dust {
+            dust.admit(local);
+        }
+        for (solid, range) in self.runs(local).filter(|(solid, _)| !solid.friction) {
             for i in range {
                 if let Some(within) = returned(&stress.get(i), 3.0, solid.yields.strength(energy.get(i))) {
                     stress.set(i, within);
@@ -153,7 +169,10 @@ impl MaterialEffect for Strength {
 
     fn update(&self, local: &Local) {
         let (density, sound_speed) = (local.view(self.density), local.view(self.sound_speed));
-        for (solid, range) in self.solids.runs(local) {
+        if let Some(dust) = &self.dust {
+            dust.update(local);
+        }
+        for (solid, range) in self.runs(local) {
             if solid.friction {
                 self.return_to_yield(local, solid, range.clone());
             }
@@ -182,6 +201,11 @@ impl MaterialEffect for Strength {
 }
 
 impl Strength {
+    /// The particles of solids, in stretches with the same parameters.
+    fn runs<'a>(&'a self, local: &'a Local) -> impl Iterator<Item = (&'a Solid, std::ops::Range<usize>)> {
+        self.solids.iter().flat_map(|solids| solids.runs(local))
+    }
+
     /// Returns the stress to the yield surface at the present pressure.
     fn return_to_yield(&self, local: &Local, solid: &Solid, range: std::ops::Range<usize>) {
         let (stress, energy) = (local.view(self.stress.value), local.optional(self.energy));

@@ -99,6 +99,11 @@ fn fill_same_law(eos: &mut Value, stored: Option<&Value>) {
         let stored = stored.and_then(|s| s.get(law)).and_then(Value::as_table);
         if let (Some(parameters), Some(stored)) = (parameters.as_table_mut(), stored) {
             fill(parameters, stored);
+            // A law needs its tables.
+            let tables = stored.iter().filter(|(_, value)| value.is_table());
+            for (key, value) in tables {
+                parameters.entry(key.as_str()).or_insert_with(|| without_sources(value));
+            }
         }
     }
 }

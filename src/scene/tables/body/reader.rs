@@ -179,8 +179,28 @@ impl BodyReader<'_> {
         }
     }
 
+    /// The filling factor of dust must be that of its density.
+    fn check_filling_factor(&self, raw: &BodyTable, material: &MaterialTable) -> Result<()> {
+        let Some(phi) = raw.filling_factor else { return Ok(()) };
+        let Some(law) = material.dust() else {
+            let error = self.error("filling_factor", format!("material `{}` is no dust", raw.material));
+            return Err(error.allowed("a material with eos.sirono"));
+        };
+        if !(phi.0 > 0.0 && phi.0 <= 1.0) {
+            return Err(self.error("filling_factor", format!("filling_factor is {phi}")).allowed("above 0, 1 at most"));
+        }
+        match raw.density {
+            Some(density) if (density.0 / (phi.0 * law.solid_density()) - 1.0).abs() > 1e-9 => {
+                let what = format!("a density of {density} has a filling factor of {}", density.0 / law.solid_density());
+                Err(self.error("filling_factor", what).allowed("one of density and filling_factor"))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Density, kg/m^3, and specific internal energy, J/kg.
     fn thermal_state(&self, raw: &BodyTable, material: &MaterialTable) -> Result<(f64, f64)> {
+        self.check_filling_factor(raw, material)?;
         let Some(density) = raw.density else {
             return Err(self.error("density", "key `density` is missing: a gas has no density of its own"));
         };

@@ -60,6 +60,10 @@ pub struct BodyTable {
     #[schemars(range(min = 1))]
     #[schemars(extend("x-default" = "that of the porosity"))]
     pub distention: Option<Number>,
+    /// Filling factor of dust at the start, the share of its volume that monomers fill; this or `density`.
+    #[schemars(range(min = 0, max = 1))]
+    #[schemars(extend("x-default" = "the density over that of the monomers"))]
+    pub filling_factor: Option<Number>,
     /// Density at the start. A gas requires it.
     #[schemars(extend("x-allowed" = POSITIVE))]
     #[schemars(extend("x-default" = "the material's over the distention"))]
@@ -177,6 +181,12 @@ impl BodyTable {
         let mut distention = 1.0;
         if let Some(porosity) = &material.porosity {
             distention = self.distention.get_or_insert(porosity.distention).0;
+        }
+        if let Some(law) = material.dust() {
+            let solid = law.solid_density();
+            let given = self.filling_factor.map(|phi| Density::new(phi.0 * solid));
+            let density = self.density.get_or_insert(given.unwrap_or(Density::new(law.reference_density()))).0;
+            self.filling_factor.get_or_insert(Number::new(density / solid));
         }
         // A porous body is as heavy as its matrix.
         self.density = self.density.or(material.reference_density().map(|density| Density::new(density / distention)));

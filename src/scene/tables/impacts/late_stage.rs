@@ -113,6 +113,10 @@ impl LateStageSettings {
         };
         for body in around.bodies {
             let (material, name) = (&around.materials[body.material], &around.names[body.material]);
+            if material.is_dust() {
+                let what = format!("{name} is dust, whose modulus follows from its density");
+                return Err(document.error("late_stage", what).allowed("no dust"));
+            }
             let stiff = material.eos.law().bulk_modulus().zip(self.modulus(material));
             let Some((before, after)) = stiff else {
                 let what = format!("{name} is a gas, which has no bulk modulus to be lowered");
