@@ -9,7 +9,7 @@ use sph_mpi::exact::compaction::PorousMedium;
 use sph_mpi::material::MaterialTable;
 use sph_mpi::material::porosity::law::Porous;
 
-use crate::common::{Launch, PROGRAM, summary};
+use crate::common::{Launch, PROGRAM, reference, summary};
 
 /// Matter of figures 1 to 3, with a law of compaction.
 fn porous_medium(alpha_0: f64, c: f64, law: &str) -> PorousMedium {
@@ -49,14 +49,6 @@ fn weakest(medium: &PorousMedium, holds: impl Fn(&State) -> bool) -> Option<Stat
         }
         if behind(middle).is_some_and(|state| holds(&state)) { high = middle } else { low = middle }
     }
-}
-
-/// Rows of a reference file; infinities where a law cannot reach a distention.
-fn reference(name: &str) -> Vec<Vec<f64>> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference").join(name);
-    let text = std::fs::read_to_string(path).expect("a reference curve");
-    let numbers = |line: &str| line.split(',').map(|cell| cell.parse().expect("a number")).collect();
-    text.lines().skip(1).map(numbers).collect()
 }
 
 /// Figures agree to this; references have nine digits.

@@ -10,6 +10,7 @@ mod circles;
 mod common;
 mod compaction;
 mod craters;
+mod dust;
 mod ends;
 mod errors;
 mod exact;

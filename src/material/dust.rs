@@ -7,6 +7,7 @@
 //!
 //! Columns: owns `reference_density`, `filling_factor`, and `yield_density` where a material of the scene yields after unloading. Sets
 //! the core columns `pressure` and `sound_speed` of dust.
+//! Diagnostic: the volume that dust has lost for good, sum m (1/rho_0 - 1/rho').
 //! Time step: none of its own; the Courant condition uses its speed of sound.
 
 use super::eos::EosTable;
@@ -22,6 +23,8 @@ pub const FILLING_FACTOR: &str = "filling_factor";
 /// Pressure and reference density of bodies of dust.
 pub struct Dust {
     bodies: PerBody<Sirono>,
+    /// Volume of a particle of each body at the start over its mass, m^3/kg.
+    specific_volumes: Vec<f64>,
     density: Column<f64>,
     reference: Column<f64>,
     filling_factor: Column<f64>,
@@ -55,7 +58,8 @@ impl MaterialEffect for Dust {
         let about = "Density at which dust yielded last, negative in tension; zero while it is elastic.";
         let yielded = late.then(|| registry.column(info("yield_density", "kg/m^3", about, Life::State, false)));
         let (density, pressure, sound_speed) = (core.density.value, core.pressure, core.sound_speed);
-        Ok(Some(Self { bodies, density, reference, filling_factor, yielded, pressure, sound_speed }))
+        let specific_volumes = setup.constants.iter().map(|constants| 1.0 / constants.density).collect();
+        Ok(Some(Self { bodies, specific_volumes, density, reference, filling_factor, yielded, pressure, sound_speed }))
     }
 
     fn name(&self) -> &'static str {
@@ -98,12 +102,12 @@ impl MaterialEffect for Dust {
     }
 
     fn diagnostics(&self) -> Vec<Diagnostic> {
-        vec![Diagnostic { name: "dust_volume", unit: "m^3" }]
+        vec![Diagnostic { name: "dust_compacted_volume", unit: "m^3" }]
     }
 
     fn diagnose(&self, columns: &Columns, i: usize, body: usize, mass: f64, add: &mut dyn FnMut(usize, f64)) {
         if self.bodies.of(body).is_some() {
-            add(0, mass / columns.get(self.density, i));
+            add(0, mass * (self.specific_volumes[body] - 1.0 / columns.get(self.reference, i)));
         }
     }
 }

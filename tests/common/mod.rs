@@ -525,3 +525,11 @@ impl<'c, const D: usize> ByHand<'c, D> {
         self.get("internal_energy", i)
     }
 }
+
+/// Rows of a reference file.
+pub fn reference(name: &str) -> Vec<Vec<f64>> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference").join(name);
+    let text = std::fs::read_to_string(path).expect("a reference curve");
+    let numbers = |line: &str| line.split(',').map(|cell| cell.parse().expect("a number")).collect();
+    text.lines().skip(1).map(numbers).collect()
+}

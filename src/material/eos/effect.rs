@@ -28,7 +28,9 @@ pub struct EquationOfState {
 
 impl MaterialEffect for EquationOfState {
     fn declare(setup: &Setup, registry: &mut Registry, core: &Core) -> Result<Option<Self>> {
-        let laws = PerBody::new(setup, |_, material| (material.porosity.is_none() && !material.is_dust()).then(|| material.eos.law()));
+        let laws = PerBody::new(setup, |_, material| {
+            (material.porosity.is_none() && !material.is_dust()).then(|| material.eos.law())
+        });
         let cold = setup.body_material.iter().all(|&material| setup.materials[material].eos.law().is_cold());
         let energy = (!cold).then(|| {
             registry.owner("eos").integrated(ColumnInfo {

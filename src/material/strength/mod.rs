@@ -130,7 +130,9 @@ impl MaterialEffect for Strength {
 
     fn carry_over(&self, local: &Local, late: &Late) {
         let stress = local.view(self.stress.value);
-        for (body, range) in local.runs().filter(|(body, _)| self.solids.as_ref().is_some_and(|solids| solids.of(*body).is_some())) {
+        for (body, range) in
+            local.runs().filter(|(body, _)| self.solids.as_ref().is_some_and(|solids| solids.of(*body).is_some()))
+        {
             range.for_each(|i| stress.set(i, stress.get(i).scaled(late.0[body].ratio())));
         }
     }

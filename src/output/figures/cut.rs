@@ -1,5 +1,5 @@
 //! Picture of the outcome: a cut through the bodies. On the left damage, else distention (grey: initial black, fully compacted
-//! white), else density; on the right ejecta (dark), where the scene gives an ejection speed, else peak
+//! white), else the filling factor of dust (other matter counts as full), else density; on the right ejecta (dark), where the scene gives an ejection speed, else peak
 //! pressure, else speed.
 
 use std::path::Path;
@@ -15,6 +15,7 @@ use super::scale::{Scale, number};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::material::BodyConstants;
+use crate::material::dust::FILLING_FACTOR;
 use crate::material::porosity::DISTENTION;
 use crate::material::record::PEAK_PRESSURE;
 use crate::math::Vec3;
@@ -100,6 +101,9 @@ fn left(picture: &Picture, columns: &Columns) -> Result<Quantity> {
     if let Some(value) = scalar(DISTENTION) {
         let limits = Some((1.0, picture.distention));
         return Ok(Quantity { limits, shades: Shades::Greys, ..Quantity::new("Distention", "", value) });
+    }
+    if let Some(value) = scalar(FILLING_FACTOR) {
+        return Ok(Quantity { wide: true, ..Quantity::new("Filling factor", "", value) });
     }
     Ok(Quantity::new("Density", "kg/m³", Source::Column(needed(columns, "density")?)))
 }

@@ -214,7 +214,8 @@ mod tests {
         };
         assert_eq!(powder(-0.1, 0.5), "c.powder.phi_1: phi_1 is -0.1 (allowed: 0 and more, below phi_2)");
         assert_eq!(powder(0.3, 0.2), "c.powder.phi_2: phi_2 is 0.2 (allowed: more than phi_1, 1 at most)");
-        let measured = |phi: &str, p: &str| wrong(&format!("c.measured = {{ filling_factor = {phi}, pressure = {p} }}"));
+        let measured =
+            |phi: &str, p: &str| wrong(&format!("c.measured = {{ filling_factor = {phi}, pressure = {p} }}"));
         assert!(measured("[0.1, 0.2]", "[1]").contains("2 filling factors and 1 pressures"));
         assert!(measured("[0.2, 0.1]", "[1, 2]").starts_with("c.measured.filling_factor"));
         assert!(measured("[0.1, 0.2]", "[2, 1]").starts_with("c.measured.pressure"));

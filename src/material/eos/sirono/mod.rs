@@ -77,12 +77,8 @@ pub enum Plasticity {
 
 impl SironoTable {
     pub(super) fn validate(&self, place: &str) -> Result<()> {
-        let positive = [
-            ("rho_s", self.rho_s.0),
-            ("rho_i", self.rho_i.0),
-            ("K_0", self.modulus.0),
-            ("gamma", self.gamma.0),
-        ];
+        let positive =
+            [("rho_s", self.rho_s.0), ("rho_i", self.rho_i.0), ("K_0", self.modulus.0), ("gamma", self.gamma.0)];
         all_positive(place, &positive)?;
         if self.rho_i.0 > self.rho_s.0 {
             let what = format!("rho_i is {}, and the monomers have {}", self.rho_i, self.rho_s);
@@ -92,10 +88,7 @@ impl SironoTable {
             let error = Error::new(format!("gamma is {}", self.gamma)).at(format!("{place}.gamma"));
             return Err(error.allowed("numbers above 1"));
         }
-        none_negative(
-            &format!("{place}.tension"),
-            &[("T_0", self.tension.scale.0), ("slope", self.tension.slope.0)],
-        )?;
+        none_negative(&format!("{place}.tension"), &[("T_0", self.tension.scale.0), ("slope", self.tension.slope.0)])?;
         self.compression.validate(&format!("{place}.compression"))
     }
 }

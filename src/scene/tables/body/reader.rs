@@ -191,7 +191,8 @@ impl BodyReader<'_> {
         }
         match raw.density {
             Some(density) if (density.0 / (phi.0 * law.solid_density()) - 1.0).abs() > 1e-9 => {
-                let what = format!("a density of {density} has a filling factor of {}", density.0 / law.solid_density());
+                let what =
+                    format!("a density of {density} has a filling factor of {}", density.0 / law.solid_density());
                 Err(self.error("filling_factor", what).allowed("one of density and filling_factor"))
             }
             _ => Ok(()),
