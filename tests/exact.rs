@@ -133,6 +133,30 @@ fn elastic_waves() {
     }
 }
 
+/// Dust below yield is elastic with 2 mu = K: sound goes at 5 and at 2.74 m/s, with the errors of any other solid. Nothing damps but
+/// viscosity, whose alpha of 0.1 between approaching pairs takes 3/32 alpha h k of the frequency, 1.92e-3 (shear: a third of it times the
+/// ratio of the speeds, 1.17e-3).
+#[test]
+fn elastic_waves_in_dust() {
+    for (moves, until, frequency, damping, amplitude, viscous) in [
+        ("x", "0.4 ms", -0.006630, 1.641e-5, 2.250e-6, 1.910e-3),
+        ("y", "0.73 ms", -0.006930, 2.692e-6, 1.904e-7, 1.160e-3),
+    ] {
+        let settings = |viscous: bool| {
+            [
+                "dust.spacing=25 um".to_string(),
+                format!("dust.flow.wave.moves={moves}"),
+                format!("run.until={until}"),
+                format!("numerics.viscosity={viscous}"),
+            ]
+        };
+        let found = errors("wave_dust", &settings(false));
+        let expected = [("frequency", frequency, 0.0085), ("damping", damping, 1e-4), ("amplitude", amplitude, 1e-4)];
+        assert_within(&found, &expected);
+        assert_within(&errors("wave_dust", &settings(true)), &[("damping", viscous, 2.5e-3)]);
+    }
+}
+
 /// Without the corrected gradient it is the same on a whole lattice; with fewer neighbours in the sums sound is 1.3 per cent too fast
 /// however fine the lattice is: the momentum sum is 1.026 times what it should be, by arithmetic on the lattice.
 #[test]

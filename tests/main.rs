@@ -21,6 +21,7 @@ mod friction;
 mod gravity;
 mod hard_cases;
 mod hard_contacts;
+mod hard_dust;
 mod hard_neighbours;
 mod hard_pores;
 mod hard_pores_shocks;

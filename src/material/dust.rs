@@ -7,7 +7,7 @@
 //!
 //! Columns: owns `reference_density`, `filling_factor`, and `yield_density` where a material of the scene yields after unloading. Sets
 //! the core columns `pressure` and `sound_speed` of dust.
-//! Diagnostic: the volume that dust has lost for good, sum m (1/rho_0 - 1/rho').
+//! Diagnostic: the volume that dust has lost for good, sum m max(0, 1/rho_0 - 1/rho'); what was torn apart counts nothing.
 //! Time step: none of its own; the Courant condition uses its speed of sound.
 
 use super::eos::EosTable;
@@ -107,7 +107,7 @@ impl MaterialEffect for Dust {
 
     fn diagnose(&self, columns: &Columns, i: usize, body: usize, mass: f64, add: &mut dyn FnMut(usize, f64)) {
         if self.bodies.of(body).is_some() {
-            add(0, mass * (self.specific_volumes[body] - 1.0 / columns.get(self.reference, i)));
+            add(0, mass * (self.specific_volumes[body] - 1.0 / columns.get(self.reference, i)).max(0.0));
         }
     }
 }
