@@ -8,6 +8,7 @@ use super::tables::body::validated::Body;
 use super::tables::compare::ComparisonSettings;
 use super::tables::gravity::GravitySettings;
 use super::tables::impacts::impact::ImpactSettings;
+use super::tables::impacts::intrusion::IntrusionSettings;
 use super::tables::impacts::late_stage::LateStageSettings;
 use super::tables::impacts::nbody::NbodySettings;
 use super::tables::impacts::outcome::OutcomeSettings;
@@ -35,6 +36,7 @@ pub struct Scene {
     pub materials: Vec<MaterialTable>,
     pub material_names: Vec<String>,
     pub impact: Option<ImpactSettings>,
+    pub intrusion: Option<IntrusionSettings>,
     pub numerics: NumericsSettings,
     pub run: RunSettings,
     pub late_stage: Option<LateStageSettings>,

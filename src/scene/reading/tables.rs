@@ -11,6 +11,7 @@ use crate::scene::tables::compare::CompareTable;
 use crate::scene::tables::domain::DomainTable;
 use crate::scene::tables::gravity::GravityTable;
 use crate::scene::tables::impacts::impact::ImpactTable;
+use crate::scene::tables::impacts::intrusion::IntrusionTable;
 use crate::scene::tables::impacts::late_stage::LateStageTable;
 use crate::scene::tables::impacts::nbody::NbodySettings;
 use crate::scene::tables::impacts::outcome::OutcomeTable;
@@ -43,6 +44,7 @@ pub struct SceneTables {
     #[serde(default)]
     pub layer: Vec<LayerTable>,
     pub impact: Option<ImpactTable>,
+    pub intrusion: Option<IntrusionTable>,
     #[serde(default)]
     pub domain: DomainTable,
     pub gravity: Option<GravityTable>,

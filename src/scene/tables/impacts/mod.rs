@@ -1,6 +1,7 @@
 //! What a scene says of an impact: who hits whom, where the target is finer, what is asked about it, what follows after the shock.
 
 pub mod impact;
+pub mod intrusion;
 pub mod late_stage;
 pub mod nbody;
 pub mod outcome;
