@@ -91,11 +91,15 @@ fn effects(scene: &Scene, plan: &Plan) -> String {
     };
     plan.effects.iter().for_each(|effect| row(effect.name()));
     let t = &plan.terms;
-    ["viscosity", "corrected_gradient", "artificial_stress", "angular_momentum", "density_contrast"]
-        .iter()
-        .zip([t.viscosity != ViscousTerm::Off, t.corrects(), t.artificial_stress(), t.angular_momentum(), t.contrast()])
-        .filter(|(_, on)| *on)
-        .for_each(|(name, _)| row(name));
+    let terms = [
+        ("viscosity", t.viscosity != ViscousTerm::Off),
+        ("contact_viscosity", plan.view.contact_alpha().is_some()),
+        ("corrected_gradient", t.corrects()),
+        ("artificial_stress", t.artificial_stress()),
+        ("angular_momentum", t.angular_momentum()),
+        ("density_contrast", t.contrast()),
+    ];
+    terms.iter().filter(|(_, on)| *on).for_each(|(name, _)| row(name));
     format!("\n{}", aligned(&rows))
 }
 
@@ -344,7 +348,7 @@ fn earliest_settled(scene: &Scene) -> f64 {
 fn soft_step(scene: &Scene, plan: &Plan) -> Option<f64> {
     let late = scene.late()?;
     let steps = plan.constants.iter().zip(&late.0).enumerate().map(|(number, (constants, softening))| {
-        let (viscosity, sound) = (plan.view.viscosity(number), softening.longitudinal_sound());
+        let (viscosity, sound) = (plan.view.material_viscosity(number), softening.longitudinal_sound());
         time_step::cfl(scene.numerics.cfl, constants.smoothing_length, sound, viscosity, 0.0)
     });
     Some(steps.fold(f64::INFINITY, f64::min))
@@ -400,7 +404,7 @@ fn output(scene: &Scene, plan: &Plan, particles: u64, end: f64, wall: f64) -> (S
 fn step<'a>(scene: &'a Scene, plan: &Plan, approach: f64) -> (f64, &'a str) {
     let steps = plan.constants.iter().enumerate().map(|(number, constants)| {
         let body = &scene.bodies[number];
-        let (viscosity, sound) = (plan.view.viscosity(number), scales::sound_speed(scene, number));
+        let (viscosity, sound) = (plan.view.material_viscosity(number), scales::sound_speed(scene, number));
         let dt = time_step::cfl(scene.numerics.cfl, constants.smoothing_length, sound, viscosity, approach);
         (dt, body.name.as_str())
     });

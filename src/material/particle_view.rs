@@ -2,6 +2,7 @@
 //! has. Each is a column in some scenes and a number of the body in others; the caller need not know.
 
 use super::damage::{DAMAGE, damaged_pressure, damaged_stress};
+use super::viscosity::CONTACT_ALPHA;
 use super::{BodyConstants, Core, MaterialTable, Setup, porosity, smoothing_length, strength};
 use crate::math::{Deviator, Sym};
 use crate::particles::{Column, Registry, Values};
@@ -19,6 +20,8 @@ pub struct ParticleView {
     distention: Option<Column<f64>>,
     /// The speed that viscosity uses in bodies that request it.
     loading_speed: Option<Column<f64>>,
+    /// Where matter takes the alpha of what it touches.
+    contact_alpha: Option<Column<f64>>,
 }
 
 /// Properties of a body by its material.
@@ -71,6 +74,7 @@ impl ParticleView {
             deviatoric_stress: registry.find(strength::DEVIATORIC_STRESS),
             distention: registry.find(porosity::DISTENTION),
             loading_speed: registry.find(porosity::LOADING_SPEED),
+            contact_alpha: registry.find(CONTACT_ALPHA),
         }
     }
 
@@ -120,9 +124,21 @@ impl ParticleView {
         self.bodies[body].friction
     }
 
-    #[inline]
-    pub fn viscosity(&self, body: usize) -> Viscosity {
+    /// Coefficients of a body's material.
+    pub fn material_viscosity(&self, body: usize) -> Viscosity {
         self.bodies[body].viscosity
+    }
+
+    /// Coefficients of particle `i` of `body`.
+    #[inline]
+    pub fn viscosity(&self, particles: &impl Values, i: usize, body: usize) -> Viscosity {
+        let own = self.bodies[body].viscosity;
+        self.contact_alpha.map_or(own, |column| Viscosity { alpha: particles.value(column, i), ..own })
+    }
+
+    /// The column of alpha where matter takes that of what it touches.
+    pub fn contact_alpha(&self) -> Option<Column<f64>> {
+        self.contact_alpha
     }
 
     /// The speed that viscosity uses, m/s.

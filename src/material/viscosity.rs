@@ -12,7 +12,19 @@ use serde::{Deserialize, Serialize};
 use super::MaterialTable;
 use super::setup::{Table, none_negative};
 use crate::error::{Error, Result};
+use crate::particles::{ColumnInfo, Life, Registry};
 use crate::units::{Number, Quantity};
+
+/// Name of the column of alpha where matter that touches other matter takes its alpha.
+pub const CONTACT_ALPHA: &str = "contact_alpha";
+
+/// Declares alpha of each particle: the largest of its own and those in touch with it (Geretshauser et al. 2010, Sect. 4.4 (3)). In touch
+/// is what is in the neighbour list.
+pub fn declare_contact(registry: &mut Registry) {
+    let about = "alpha of viscosity: the largest of all matter in touch at the last list build.";
+    let info = ColumnInfo { name: CONTACT_ALPHA, unit: "", about, life: Life::Kept, snapshot: false };
+    registry.owner("viscosity").column::<f64>(info);
+}
 
 /// Artificial viscosity between particles.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -105,6 +105,9 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
         effects.extend(declare(&setup, &mut registry, &core).map_err(here)?);
     }
     check_heat(scene, &registry)?;
+    if scene.numerics.contact_viscosity {
+        material::viscosity::declare_contact(&mut registry);
+    }
     let view = ParticleView::new(&setup, &registry, core);
     let masses = constants.iter().map(|body| body.particle_mass).collect();
     let motions = Motions::declare(
@@ -167,7 +170,7 @@ fn terms(scene: &Scene, view: &ParticleView) -> Terms {
     // Pressure alone acts along the line between two particles.
     let angular_momentum = numerics.angular_momentum;
     let tensor = artificial || scene.materials.iter().any(|m| m.has_strength());
-    let betas: Vec<f64> = (0..scene.bodies.len()).map(|body| view.viscosity(body).beta).collect();
+    let betas: Vec<f64> = (0..scene.bodies.len()).map(|body| view.material_viscosity(body).beta).collect();
     Terms {
         stress: match (tensor, corrected) {
             (false, false) => StressTerm::Pressure { gradient: PressureGradient::Plain },
@@ -260,7 +263,7 @@ impl Plan {
             |(body, constants): (&Body, &BodyConstants)| constants.smoothing_length / body.lattice.spacing;
         let h = scene.bodies.iter().zip(&self.constants).map(in_spacings).fold(f64::INFINITY, f64::min);
         let constants = Constants {
-            beta: self.view.viscosity(0).beta,
+            beta: self.view.material_viscosity(0).beta,
             artificial_reference: artificial_stress::reference(numerics.kernel, h),
         };
         let pair_loop = PairLoop::new(scene.dimension, self.terms, numerics.kernel, constants);

@@ -124,7 +124,7 @@ impl Derivatives<'_> {
             let sums = &workspace.sums[k];
             // A particle without neighbours exchanges no signals, however hot it is.
             let alone = sums.neighbours == 0;
-            let cfl = time_step::cfl(*courant, h, sound_speed.get(k), view.viscosity(body), sums.approach);
+            let cfl = time_step::cfl(*courant, h, sound_speed.get(k), view.viscosity(chunk, k, body), sums.approach);
             let cfl = if alone { f64::INFINITY } else { cfl };
             let acceleration = time_step::acceleration(*courant, h, a2);
             if cfl < best.0 {

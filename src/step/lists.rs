@@ -82,7 +82,7 @@ impl<const D: usize> Stepper<'_, D> {
         self.counters.migrated += self.neighbourhood.migrated() as u64;
         self.phases.add(Phase::Migration, start);
         let start = Instant::now();
-        self.neighbourhood.build_list();
+        self.neighbourhood.build_list(&mut self.columns, &self.settings.view);
         self.phases.add(Phase::Lists, start);
         self.find_chunks();
         let count = self.columns.len();

@@ -8,11 +8,11 @@ use crate::domain::comm::Comm;
 use crate::domain::{Basis, Closing, Decomposition, Displacements, Handles, Moving, Space, Watch};
 use crate::gravity::ROUNDS;
 use crate::kernel::SUPPORT;
-use crate::material::Core;
+use crate::material::{Core, ParticleView};
 use crate::math::Vec3;
 use crate::neighbours::NeighbourList;
 use crate::pair::Layout;
-use crate::particles::{Column, Columns, Lattice, Local, Registry};
+use crate::particles::{Column, Columns, Lattice, Local, ParticleId, Registry};
 
 /// Planes are moved when the largest load of a rank exceeds the mean by more than this share.
 const TOLERATED_IMBALANCE: f64 = 0.05;
@@ -139,10 +139,18 @@ impl<const D: usize> Neighbourhood<D> {
         }
     }
 
-    /// Neighbours of every owned particle.
-    pub fn build_list(&mut self) {
+    /// Neighbours of every owned particle, and what follows from which they are.
+    pub fn build_list(&mut self, columns: &mut Columns, view: &ParticleView) {
         let Decomposition { local, .. } = self.decomposition.as_mut().expect("particles are distributed first");
         self.list.build(local);
+        if let Some(column) = view.contact_alpha() {
+            let alpha_of = |slot: u32| local.places.get(slot as usize).map(|place| alpha(view, place.id));
+            for (i, ends) in self.list.offsets.windows(2).enumerate() {
+                let neighbours = self.list.entries[ends[0]..ends[1]].iter().filter_map(|&slot| alpha_of(slot));
+                let own = alpha(view, columns.get(self.core.id, i).0);
+                columns.set(column, i, neighbours.fold(own, f64::max));
+            }
+        }
         local.forget_places();
         self.list_size = ListSize {
             entries: *self.list.offsets.last().unwrap_or(&0) as f64,
@@ -289,6 +297,11 @@ impl<const D: usize> Neighbourhood<D> {
     pub fn ghosts(&self) -> usize {
         self.local().ghosts()
     }
+}
+
+/// alpha of the material of a particle.
+fn alpha(view: &ParticleView, id: u64) -> f64 {
+    view.material_viscosity(ParticleId(id).body()).alpha
 }
 
 /// Cells of one level are just as wide as the list radius of the body with the most particles: a level that missed it by

@@ -141,7 +141,7 @@ impl Packer {
         record[layout.volume()] = volume;
         set_half(record, layout.density(), constants.particle_mass / volume);
         set_half(record, layout.h_inverse(), 1.0 / h);
-        let Viscosity { alpha, beta } = view.viscosity(body);
+        let Viscosity { alpha, beta } = view.viscosity(columns, i, body);
         if layout.terms.viscosity != ViscousTerm::Off {
             set_half(record, layout.alpha_c(), alpha * view.viscous_speed(columns, i, body));
         }

@@ -47,6 +47,9 @@ pub struct NumericsTable {
     /// alike; needs the corrected gradient. Without it, on where a material has `strength` and the densities of two bodies differ more than
     /// twofold, and, with the corrected gradient, wherever they differ more than a hundredfold.
     density_contrast: Option<bool>,
+    /// Against single particles of a stiff body that oscillate across its surface until they shoot into soft matter (cannonballs): what is
+    /// in touch with matter of a larger `alpha` of viscosity has that alpha in all of its pairs.
+    contact_viscosity: bool,
     /// Against clumping in tension.
     artificial_stress: Switch<ArtificialStressTable>,
     /// Whether the smoothing length h stays as it is at the start.
@@ -129,6 +132,7 @@ impl Default for NumericsTable {
             corrected_gradient: None,
             angular_momentum: None,
             density_contrast: None,
+            contact_viscosity: false,
             artificial_stress: Switch::off(),
             smoothing_length: SmoothingLengthValue::default(),
             integrator: IntegratorTable::default(),
@@ -277,6 +281,8 @@ pub struct NumericsSettings {
     pub angular_momentum: bool,
     /// Whether the light one of a pair gives way, and the heavy one stands.
     pub density_contrast: bool,
+    /// Whether what touches matter of a larger alpha has that alpha in all of its pairs.
+    pub contact_viscosity: bool,
     pub artificial_stress: Option<ArtificialStress>,
     pub smoothing_length: SmoothingLengthRule,
     pub integrator: IntegratorRule,
@@ -387,6 +393,7 @@ impl NumericsTable {
             corrected_gradient,
             angular_momentum,
             density_contrast,
+            contact_viscosity: self.contact_viscosity && self.viscosity,
             artificial_stress,
             smoothing_length,
             integrator,
