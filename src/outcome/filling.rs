@@ -115,6 +115,11 @@ pub struct Profile {
 impl Profile {
     /// Collective.
     pub fn measure(comm: &Comm, particles: impl Iterator<Item = Filled>, line: &Line) -> Self {
+        Self::of(&comm.sum_exactly(&mut Self::sums(particles, line)), line)
+    }
+
+    /// Sums over these particles, two per point.
+    fn sums(particles: impl Iterator<Item = Filled>, line: &Line) -> Vec<ExactSum> {
         let points = line.points();
         let mut sums = vec![ExactSum::new(); 2 * points];
         for particle in particles {
@@ -137,7 +142,10 @@ impl Profile {
                 }
             }
         }
-        let values = comm.sum_exactly(&mut sums);
+        sums
+    }
+
+    fn of(values: &[f64], line: &Line) -> Self {
         let row = |(point, value): (usize, &[f64])| ProfileRow {
             depth: line.depth_of(point),
             dust: value[0],
@@ -189,13 +197,21 @@ pub struct Volumes {
 impl Volumes {
     /// `body`: the body's volume, m^3 (m^2 in 2D). Collective.
     pub fn measure(comm: &Comm, particles: impl Iterator<Item = Filled>, body: f64) -> Self {
+        Self::of(&comm.sum_exactly(&mut Self::sums(particles)), body)
+    }
+
+    /// Sums over these particles, one per row.
+    fn sums(particles: impl Iterator<Item = Filled>) -> Vec<ExactSum> {
         let mut sums = vec![ExactSum::new(); ROWS];
         particles.filter(|particle| particle.of == Of::Dust).for_each(|particle| {
             if let Some(row) = row_of(particle.filling_factor) {
                 sums[row].add(particle.volume);
             }
         });
-        let volumes = comm.sum_exactly(&mut sums);
+        sums
+    }
+
+    fn of(volumes: &[f64], body: f64) -> Self {
         let filled = volumes.iter().rposition(|volume| *volume > 0.0).map_or(0, |last| last + 2).min(ROWS);
         let mut above = 0.0;
         let mut rows: Vec<[f64; 2]> = Vec::new();
@@ -207,10 +223,18 @@ impl Volumes {
         Self { rows }
     }
 
+    /// The filling factor that a volume as large as the body's exceeds, on straight lines between rows; none where there is less dust.
+    pub fn of_one_body(&self) -> Option<f64> {
+        let pair = self.rows.windows(2).find(|pair| pair[0][1] >= 1.0 && pair[1][1] < 1.0)?;
+        Some(pair[0][0] + WIDTH * (pair[0][1] - 1.0) / (pair[0][1] - pair[1][1]))
+    }
+
     /// `filling_volumes.csv`.
     pub fn table(&self) -> String {
         let mut text = String::from("filling_factor,volume_above_over_body\n");
-        self.rows.iter().for_each(|[phi, volume]| drop(writeln!(text, "{phi:e},{volume:e}")));
+        for [phi, volume] in &self.rows {
+            let _ = writeln!(text, "{phi:e},{volume:e}");
+        }
         text
     }
 }
@@ -264,52 +288,53 @@ mod tests {
         (0..1200).map(particle).filter(|p| p.of == Of::Dust || p.position.y > gap).collect()
     }
 
+    fn values(sums: Vec<ExactSum>) -> Vec<f64> {
+        sums.iter().map(ExactSum::value).collect()
+    }
+
+    fn profile(particles: Vec<Filled>) -> Profile {
+        Profile::of(&values(Profile::sums(particles.into_iter(), &line())), &line())
+    }
+
     #[test]
     fn a_profile_is_that_of_the_particles() {
-        let line = line();
-        crate::outcome::testing::alone(|comm| {
-            let profile = Profile::measure(comm, lattice(0.0, |_| 0.2).into_iter(), &line);
-            assert_eq!(profile.rows.len(), 161);
-            for row in &profile.rows {
-                let (dust, all) = match row.depth {
-                    depth if depth < -0.3 => (0.0, 1.0),
-                    depth if depth > 0.3 => (0.2, 0.2),
-                    _ => continue,
-                };
-                assert!((row.dust - dust).abs() < 0.01 && (row.all - all).abs() < 0.01, "{row:?}");
-            }
-            // A point in the middle of the surface sees half of each.
-            let middle = profile.rows[40];
-            assert!(middle.depth.abs() < 1e-12 && (middle.dust - 0.1).abs() < 0.003, "{middle:?}");
-        });
+        let profile = profile(lattice(0.0, |_| 0.2));
+        assert_eq!(profile.rows.len(), 161);
+        for row in &profile.rows {
+            let (dust, all) = match row.depth {
+                depth if depth < -0.3 => (0.0, 1.0),
+                depth if depth > 0.3 => (0.2, 0.2),
+                _ => continue,
+            };
+            assert!((row.dust - dust).abs() < 0.01 && (row.all - all).abs() < 0.01, "{row:?}");
+        }
+        // A point in the middle of the surface sees half of each.
+        let middle = profile.rows[40];
+        assert!(middle.depth.abs() < 1e-12 && (middle.dust - 0.1).abs() < 0.003, "{middle:?}");
     }
 
     /// Dust is densest 0.8 deep, and the body ends 0.4 above the surface.
     #[test]
     fn peak_and_gap_are_found_between_points() {
         let phi = |depth: f64| 0.3 - 0.05 * (depth - 0.81) * (depth - 0.81);
-        crate::outcome::testing::alone(|comm| {
-            let profile = Profile::measure(comm, lattice(0.4, phi).into_iter(), &line());
-            let marks = Marks::of(&profile, -0.9);
-            assert!((marks.peak_depth.unwrap() - 0.81).abs() < 0.02, "{marks:?}");
-            assert!((marks.peak.unwrap() - 0.3).abs() < 0.003, "{marks:?}");
-            // Between the last particles of both, at 0.45 above and at 0.05 below; nearer to the less filled.
-            let gap = marks.gap_depth.unwrap();
-            assert!((-0.2..0.0).contains(&gap) && marks.gap.unwrap() < 0.05, "{marks:?}");
-        });
+        let profile = profile(lattice(0.4, phi));
+        let marks = Marks::of(&profile, -0.9);
+        assert!((marks.peak_depth.unwrap() - 0.81).abs() < 0.02, "{marks:?}");
+        assert!((marks.peak.unwrap() - 0.3).abs() < 0.003, "{marks:?}");
+        // Between the last particles of both, at 0.45 above and at 0.05 below; nearer to the less filled.
+        let gap = marks.gap_depth.unwrap();
+        assert!((-0.2..0.0).contains(&gap) && marks.gap.unwrap() < 0.05, "{marks:?}");
     }
 
     #[test]
     fn volumes_are_summed_from_the_top() {
         let particle = |k: usize, of| Filled { filling_factor: 0.15 + 0.01 * k as f64, of, ..lattice(9.0, |_| 0.0)[0] };
         let particles = (0..10).map(|k| particle(k, Of::Dust)).chain([particle(85, Of::Body)]);
-        crate::outcome::testing::alone(|comm| {
-            let volumes = Volumes::measure(comm, particles, 0.02);
-            let above = |phi: f64| volumes.rows.iter().find(|row| (row[0] - phi).abs() < 1e-9).unwrap()[1];
-            assert!((above(0.0) - 5.0).abs() < 1e-12 && (above(0.145) - 5.0).abs() < 1e-12);
-            // As filled as that is not filled more.
-            assert!((above(0.15) - 4.5).abs() < 1e-12 && (above(0.2) - 2.0).abs() < 0.5 + 1e-12);
-            assert_eq!((above(0.24), volumes.rows.len()), (0.0, 49));
-        });
+        let volumes = Volumes::of(&values(Volumes::sums(particles)), 0.02);
+        let above = |phi: f64| volumes.rows.iter().find(|row| (row[0] - phi).abs() < 1e-9).unwrap()[1];
+        assert!((above(0.0) - 5.0).abs() < 1e-12 && (above(0.145) - 5.0).abs() < 1e-12);
+        // As filled as that is not filled more.
+        assert!((above(0.15) - 4.5).abs() < 1e-12 && (above(0.2) - 2.0).abs() < 0.5 + 1e-12);
+        assert_eq!((above(0.24), volumes.rows.len()), (0.0, 49));
     }
 }

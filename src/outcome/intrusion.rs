@@ -72,11 +72,16 @@ impl Fall {
         Self { gravity, offset, last, contact, cleared: None, deepest: None, curve, stride: 1, steps: 0 }
     }
 
+    /// Depth of the body's lowest point, m, where its centre of mass is at `centre` along the fall.
+    pub fn depth(&self, centre: f64) -> f64 {
+        centre + self.offset
+    }
+
     /// Takes the next moment: where the centre of mass is along the fall, m, and how fast, m/s. True at the one at which the body has
     /// been deepest.
     pub fn update(&mut self, time: f64, centre: f64, speed: f64) -> bool {
-        let before = std::mem::replace(&mut self.last, Sample { time, depth: centre + self.offset, speed });
-        let now = self.last;
+        let now = Sample { time, depth: self.depth(centre), speed };
+        let before = std::mem::replace(&mut self.last, now);
         if self.contact.is_none() && now.depth >= 0.0 {
             let share = now.depth / (now.depth - before.depth);
             let back = |now: f64, before: f64| now - share * (now - before);
@@ -104,8 +109,11 @@ impl Fall {
         }
         if self.curve.len() == 2 * SAMPLES {
             self.stride *= 2;
-            let mut odd = false;
-            self.curve.retain(|_| std::mem::replace(&mut odd, !odd));
+            let mut kept = true;
+            self.curve.retain(|_| {
+                kept = !kept;
+                kept
+            });
         }
     }
 

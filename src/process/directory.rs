@@ -162,20 +162,27 @@ fn refuse_to_overwrite(path: &Path, found: &[String]) -> Result<()> {
 
 /// Whether a run, a search or a study writes a file of this name.
 pub fn is_of_a_run(name: &str) -> bool {
-    const FILES: [&str; 30] = [
+    const FILES: [&str; 37] = [
         "checkpoint.h5",
         "checkpoint_previous.h5",
         "crater.csv",
+        "deepest.png",
         "distention.csv",
         "distention.png",
         "ejecta.csv",
         "ejecta.png",
         "error_core_seconds.png",
         "error_pairs.png",
+        "filling_profile.csv",
+        "filling_profile.png",
+        "filling_volumes.csv",
+        "filling_volumes.png",
         "fragments.csv",
         "history.csv",
         "history_damaged.csv",
         "impacts.json",
+        "intrusion.csv",
+        "intrusion.png",
         "log.txt",
         "nbody.bin",
         "nbody.csv",

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use super::collapse::Collapse;
+use super::results::intrusion::IntrusionEvaluation;
 use super::state::RunState;
 use crate::comparison::Comparison;
 use crate::domain::comm::Comm;
@@ -85,6 +86,8 @@ pub(super) struct Products {
     pub tables: Vec<(&'static str, Vec<u8>)>,
     /// Crater to be drawn.
     pub crater: Option<CraterEvaluation>,
+    /// Fall into dust to be drawn.
+    pub intrusion: Option<IntrusionEvaluation>,
     /// Whether the cut is to be drawn.
     pub cut: bool,
 }

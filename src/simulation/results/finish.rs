@@ -55,6 +55,12 @@ impl<const D: usize> Run<'_, D> {
             if let Some(evaluation) = products.crater.filter(|_| root) {
                 or_warn(self.draw_crater(&evaluation));
             }
+            if let Some(evaluation) = products.intrusion {
+                let drawn = self.draw_deepest();
+                if root {
+                    or_warn(drawn.and(self.draw_intrusion(&evaluation)));
+                }
+            }
             let drawn = if products.cut { self.draw_cut() } else { Ok(()) };
             if root {
                 or_warn(drawn);
@@ -69,7 +75,7 @@ impl<const D: usize> Run<'_, D> {
             scene: self.scene,
             stepper: &self.stepper,
             time: self.stepper.state.time,
-            directory: &self.options.directory,
+            path: &self.options.directory.join("outcome.png"),
         };
         report::draw_cut(&source, self.comm)
     }
@@ -102,6 +108,9 @@ impl<const D: usize> Run<'_, D> {
             true if again.is_some() || settled_now || self.scene.reaccumulates() || self.scene.hits_ground() => {}
             true => later = Some(self.evaluate_outcome().outcome),
             false => self.products.cut = true,
+        }
+        if self.scene.intrusion.is_some() && (!self.is_deepest() || (again.is_some() && self.ends_deepest())) {
+            self.take_intrusion();
         }
         let (errors, nbody) = (self.errors(None), self.nbody());
         let again = again.is_some();
