@@ -146,11 +146,8 @@ impl Profile {
     }
 
     fn of(values: &[f64], line: &Line) -> Self {
-        let row = |(point, value): (usize, &[f64])| ProfileRow {
-            depth: line.depth_of(point),
-            dust: value[0],
-            all: value[1],
-        };
+        let row =
+            |(point, value): (usize, &[f64])| ProfileRow { depth: line.depth_of(point), dust: value[0], all: value[1] };
         Self { rows: values.chunks_exact(2).enumerate().map(row).collect() }
     }
 

@@ -16,6 +16,8 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 use std::fmt::Write;
 
+use super::filling::{Marks, Profile, Volumes};
+
 /// Samples of a curve that are kept: when there are twice as many, every other one is dropped.
 const SAMPLES: usize = 500;
 
@@ -39,7 +41,8 @@ impl Sample {
 
     /// Where the speed passes zero on its way to `next`.
     fn turn(&self, next: &Self) -> Self {
-        let share = if self.speed > next.speed { (self.speed / (self.speed - next.speed)).clamp(0.0, 1.0) } else { 1.0 };
+        let share =
+            if self.speed > next.speed { (self.speed / (self.speed - next.speed)).clamp(0.0, 1.0) } else { 1.0 };
         let time = share * (next.time - self.time);
         Self { time: self.time + time, depth: self.depth + 0.5 * self.speed * time, speed: 0.0 }
     }
@@ -170,6 +173,14 @@ impl Curve {
     }
 }
 
+/// A fall and what it has left of the dust, for tables and pictures.
+pub struct IntrusionEvaluation {
+    pub curve: Option<Curve>,
+    pub profile: Profile,
+    pub volumes: Volumes,
+    pub marks: Marks,
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -207,7 +218,12 @@ mod tests {
         assert!((contact.time - 1e-3).abs() < 1e-9 && contact.depth == 0.0 && (contact.speed - 1.0).abs() < 1e-6);
         assert!((curve.stopping_time - FRAC_PI_2 / 500.0).abs() < 1e-9, "{}", curve.stopping_time);
         assert!((step as f64 * 1e-6 - deepest.time) < 1e-6);
-        assert!((deepest.depth - 2e-3).abs() < 1e-5 && curve.deviation() < 2e-3, "{} {}", deepest.depth, curve.deviation());
+        assert!(
+            (deepest.depth - 2e-3).abs() < 1e-5 && curve.deviation() < 2e-3,
+            "{} {}",
+            deepest.depth,
+            curve.deviation()
+        );
         assert!(curve.samples.len() >= SAMPLES && curve.samples.len() < 2 * SAMPLES + 2);
         assert_eq!(curve.normalised.last().map(|[t, h]| (*t, *h)), Some((1.0, -1.0)));
         assert_eq!(curve.table().lines().count(), curve.samples.len() + 1);

@@ -162,7 +162,7 @@ fn refuse_to_overwrite(path: &Path, found: &[String]) -> Result<()> {
 
 /// Whether a run, a search or a study writes a file of this name.
 pub fn is_of_a_run(name: &str) -> bool {
-    const FILES: [&str; 37] = [
+    const FILES: [&str; 41] = [
         "checkpoint.h5",
         "checkpoint_previous.h5",
         "crater.csv",
@@ -177,6 +177,8 @@ pub fn is_of_a_run(name: &str) -> bool {
         "filling_profile.png",
         "filling_volumes.csv",
         "filling_volumes.png",
+        "fragment_masses.csv",
+        "fragment_masses.png",
         "fragments.csv",
         "history.csv",
         "history_damaged.csv",
@@ -189,6 +191,8 @@ pub fn is_of_a_run(name: &str) -> bool {
         "outcome.png",
         "point.json",
         "q_star.png",
+        "restitution.csv",
+        "restitution.png",
         "scene.toml",
         "sizes.csv",
         "snapshots.vtkhdf.series",

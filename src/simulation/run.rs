@@ -4,13 +4,14 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use super::collapse::Collapse;
-use super::results::intrusion::IntrusionEvaluation;
 use super::state::RunState;
 use crate::comparison::Comparison;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::outcome::Outcome;
 use crate::outcome::crater::CraterEvaluation;
+use crate::outcome::intrusion::IntrusionEvaluation;
+use crate::outcome::populations::Populations;
 use crate::output::publish::replace;
 use crate::output::summary::Accuracy;
 use crate::output::{History, Summary};
@@ -88,6 +89,10 @@ pub(super) struct Products {
     pub crater: Option<CraterEvaluation>,
     /// Fall into dust to be drawn.
     pub intrusion: Option<IntrusionEvaluation>,
+    /// Pieces to be drawn.
+    pub populations: Option<Populations>,
+    /// Whether the bounce is to be drawn.
+    pub bounce: bool,
     /// Whether the cut is to be drawn.
     pub cut: bool,
 }

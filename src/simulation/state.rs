@@ -8,6 +8,7 @@ use crate::outcome::crater::Crater;
 use crate::outcome::filling::Marks;
 use crate::outcome::intrusion::Fall;
 use crate::outcome::reaccumulated::Reaccumulated;
+use crate::outcome::restitution::Bounce;
 use crate::outcome::settled::Settled;
 use crate::step::late::Switch;
 use crate::step::{Counters, StepState, Totals};
@@ -110,6 +111,9 @@ pub struct RunState {
     /// A body that falls into dust, where the scene asks for it.
     #[serde(default)]
     pub intrusion: Option<Intrusion>,
+    /// A body that hits another, where the scene asks for it.
+    #[serde(default)]
+    pub bounce: Option<Bounce>,
     /// Outcome where the run settled, or at its end: this one counts. `None` for ground.
     pub outcome: Option<Outcome>,
     /// The crater in a flat face, at the same time.

@@ -173,6 +173,7 @@ impl<'a, const D: usize> Run<'a, D> {
         self.totals = self.stepper.totals();
         self.state.conservation.note(&self.totals, self.stepper.state.time);
         self.sample_vibration();
+        self.follow_bounce();
         self.write_history();
         let time = self.stepper.state.time;
         let Some(settled) = self.state.settled.as_mut() else { return Ok(()) };

@@ -56,6 +56,9 @@ pub fn validate(document: &Document, tables: &SceneTables) -> Result<Scene> {
     probe::check_names(document, &probes)?;
     let around = Around { bodies: &bodies, materials: &materials, gravity: &gravity, periods: &periods };
     let intrusion = tables.intrusion.as_ref().map(|table| table.validate(document, &around)).transpose()?;
+    let restitution =
+        tables.restitution.as_ref().map(|table| table.validate(document, &bodies, &gravity)).transpose()?;
+    let fragments = tables.fragments.as_ref().map(|table| table.validate(document, &bodies)).transpose()?;
     let threshold = match &tables.threshold {
         None => None,
         Some(threshold) => Some(threshold.validate(document, &checks::varied(document, impact.as_ref(), &bodies)?)?),
@@ -73,6 +76,8 @@ pub fn validate(document: &Document, tables: &SceneTables) -> Result<Scene> {
         material_names,
         impact,
         intrusion,
+        restitution,
+        fragments,
         numerics,
         run,
         late_stage,

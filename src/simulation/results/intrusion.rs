@@ -10,9 +10,8 @@ use crate::material::dust::COMPACTED_VOLUME;
 use crate::math::Vec3;
 use crate::outcome::CentreOfMass;
 use crate::outcome::filling::{Filled, Line, Marks, Of, Profile, Volumes};
-use crate::outcome::intrusion::{Curve, Fall, sine};
+use crate::outcome::intrusion::{Curve, Fall, IntrusionEvaluation, sine};
 use crate::output::figures::curves::{Axis, Figure, Mark, Series};
-use crate::output::figures::raster::Plane;
 use crate::output::summary::Figures;
 use crate::scene::{IntrusionSettings, Scene};
 use crate::simulation::run::Run;
@@ -22,14 +21,6 @@ use crate::warning::Warning;
 
 /// Names and units of the columns of history.csv.
 pub const COLUMNS: [(&str, &str); 2] = [("intrusion_depth", "m"), ("intrusion_speed", "m/s")];
-
-/// Tables and pictures of the moment at which the dust was looked at.
-pub struct IntrusionEvaluation {
-    curve: Option<Curve>,
-    profile: Profile,
-    volumes: Volumes,
-    marks: Marks,
-}
 
 /// The start of a fall, where the scene asks for one. Collective.
 pub fn begin<const D: usize>(scene: &Scene, stepper: &Stepper<D>) -> Option<Intrusion> {
@@ -72,7 +63,9 @@ impl<const D: usize> Run<'_, D> {
 
     /// The cells of history.csv. Collective where the scene asks for an intrusion.
     pub(in crate::simulation) fn fall_row(&self) -> Vec<f64> {
-        let (Some(settings), Some(intrusion)) = (self.scene.intrusion, &self.state.intrusion) else { return Vec::new() };
+        let (Some(settings), Some(intrusion)) = (self.scene.intrusion, &self.state.intrusion) else {
+            return Vec::new();
+        };
         let [centre] = centres::of([settings.body], self.scene, &self.stepper, self.comm);
         let (x, v) = along(&settings, &centre);
         vec![intrusion.fall.depth(x), v]
@@ -165,14 +158,6 @@ fn line(scene: &Scene, settings: &IntrusionSettings, through: Vec3) -> Line {
         kernel: scene.numerics.kernel,
         dimension: scene.dimension,
     }
-}
-
-/// The plane in which a body falls.
-pub fn plane(scene: &Scene) -> Option<Plane> {
-    let fall = scene.intrusion?;
-    let origin = Vec3::from(scene.bodies[fall.body].centre);
-    let across = if fall.axis == 0 { Vec3::y() } else { Vec3::x() };
-    Some(Plane { origin, across, up: Vec3::ith(fall.axis, 1.0) })
 }
 
 /// `intrusion` of summary.json.

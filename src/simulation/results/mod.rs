@@ -4,10 +4,12 @@
 mod centres;
 mod files;
 pub(in crate::simulation) mod finish;
+pub(in crate::simulation) mod fragments;
 pub(in crate::simulation) mod ground;
 pub(in crate::simulation) mod intrusion;
 pub(in crate::simulation) mod nbody;
 pub mod probes;
 pub(in crate::simulation) mod report;
+pub(in crate::simulation) mod restitution;
 mod summary;
 pub mod warnings;

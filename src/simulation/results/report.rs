@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use super::intrusion;
 use crate::domain::comm::Comm;
 use crate::error::Result;
 use crate::material::MaterialEffect;
@@ -11,7 +10,7 @@ use crate::outcome::Outcome;
 use crate::output::Cell;
 use crate::output::figures::cut::{self, Picture};
 use crate::output::figures::raster::Plane;
-use crate::output::summary::{Accuracy, Figures};
+use crate::output::summary::{Accuracy, Figures, Fragments};
 use crate::scene::Scene;
 use crate::simulation::state::{RunState, Spent};
 use crate::step::packing::Packing;
@@ -107,7 +106,7 @@ pub fn draw_cut<const D: usize>(source: &PictureSource<D>, comm: &Comm) -> Resul
     // The projectile comes down in the plane of x and the face's normal; onto a sphere it moves in that of x and y.
     let up = face.map_or(1, |face| face.up);
     let of_impact = || Plane { origin, across: Vec3::x(), up: Vec3::ith(up, 1.0) };
-    let plane = intrusion::plane(scene).unwrap_or_else(of_impact);
+    let plane = plane_of_fall(scene).unwrap_or_else(of_impact);
     let picture = Picture {
         title: format!("{} (t = {:.4} s)", scene.title, source.time),
         plane,
@@ -116,6 +115,14 @@ pub fn draw_cut<const D: usize>(source: &PictureSource<D>, comm: &Comm) -> Resul
     };
     let (columns, bodies) = (&source.stepper.columns, &source.stepper.settings.view.constants);
     cut::draw(source.path, &picture, columns, bodies, comm)
+}
+
+/// The plane in which a body falls into dust.
+fn plane_of_fall(scene: &Scene) -> Option<Plane> {
+    let fall = scene.intrusion?;
+    let origin = Vec3::from(scene.bodies[fall.body].centre);
+    let across = if fall.axis == 0 { Vec3::y() } else { Vec3::x() };
+    Some(Plane { origin, across, up: Vec3::ith(fall.axis, 1.0) })
 }
 
 /// Whether angular momentum is conserved: not with walls, periodic axes or uniform gravity.
@@ -136,6 +143,7 @@ pub struct Report<'a, 'c, const D: usize> {
     /// Errors against the exact solution that the scene names.
     pub errors: Figures,
     pub nbody: Option<Figures>,
+    pub fragments: Option<Fragments>,
     pub resident_at_start: f64,
     pub accuracy: Option<&'a Accuracy>,
     pub comm: &'a Comm,

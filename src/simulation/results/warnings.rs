@@ -1,8 +1,8 @@
 //! Warnings of a run: about the numbers of its scene before it starts, and about energy, angular momentum and density at
 //! its end. Every kind of warning is made here.
 
-use super::intrusion;
 use super::report::Report;
+use super::{intrusion, restitution};
 use crate::math::Vec3;
 use crate::outcome::Outcome;
 use crate::output::Summary;
@@ -43,6 +43,7 @@ pub fn of_run<const D: usize>(report: &Report<D>, summary: &Summary) -> Vec<Warn
         angular_momentum(summary, report.state.conservation.turn / circling(report.scene, report.totals.mass, scale)),
         density(report.scene, report.packing),
         report.state.intrusion.as_ref().and_then(|fall| intrusion::warning(fall, report.scene)),
+        report.state.bounce.as_ref().and_then(|bounce| restitution::warning(bounce, report.scene)),
         outcome.and_then(|outcome| few_particles(outcome, D)),
         outcome.and_then(|outcome| other_remnant(outcome, report.scene)),
     ]

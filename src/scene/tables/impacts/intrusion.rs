@@ -3,10 +3,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::named;
 use crate::error::Result;
 use crate::material::MaterialTable;
 use crate::particles::Periods;
-use crate::scene::document::keys::unknown;
 use crate::scene::document::source::Document;
 use crate::scene::tables::body::validated::Body;
 use crate::scene::tables::gravity::GravitySettings;
@@ -54,13 +54,8 @@ pub struct Around<'a> {
 impl IntrusionTable {
     pub fn validate(&self, document: &Document, around: &Around) -> Result<IntrusionSettings> {
         let bodies = around.bodies;
-        let find = |key: &str, name: &str| {
-            bodies.iter().position(|body| body.name == name).ok_or_else(|| {
-                let known: Vec<String> = bodies.iter().map(|body| body.name.clone()).collect();
-                unknown(document, &format!("intrusion.{key}"), "body", name, &known)
-            })
-        };
-        let (body, into) = (find("body", &self.body)?, find("into", &self.into)?);
+        let body = named::body(document, "intrusion.body", &self.body, bodies)?;
+        let into = named::body(document, "intrusion.into", &self.into, bodies)?;
         if body == into {
             return Err(document.error("intrusion.into", "a body does not fall into itself").allowed("another body"));
         }
@@ -128,7 +123,10 @@ mod tests {
         for (change, expected) in [
             ("intrusion.body=beat", "--set intrusion.body=beat: unknown body `beat`"),
             ("intrusion.into=bead", "a body does not fall into itself (allowed: another body)"),
-            ("dust.material=basalt", "s.toml:19: intrusion.into: `dust` is no dust (allowed: a body whose equation of state"),
+            (
+                "dust.material=basalt",
+                "s.toml:19: intrusion.into: `dust` is no dust (allowed: a body whose equation of state",
+            ),
             ("gravity.uniform=[0, -1, -9]", "the fall of `bead` has no axis (allowed: uniform gravity along one axis"),
             ("domain.periodic={ x = [-9, 9] }", "depth is measured in open space"),
             ("intrusion.ends_rnu=true", "did you mean `ends_run`?"),
