@@ -11,6 +11,7 @@ mod common;
 mod compaction;
 mod craters;
 mod dust;
+mod dust_analysis;
 mod ends;
 mod errors;
 mod exact;

@@ -19,6 +19,8 @@ use crate::particles::{Column, ColumnInfo, Columns, Life, Registry};
 /// Names of columns that other effects and outcomes read.
 pub const REFERENCE_DENSITY: &str = "reference_density";
 pub const FILLING_FACTOR: &str = "filling_factor";
+/// Name of the diagnostic.
+pub const COMPACTED_VOLUME: &str = "dust_compacted_volume";
 
 /// Pressure and reference density of bodies of dust.
 pub struct Dust {
@@ -102,7 +104,7 @@ impl MaterialEffect for Dust {
     }
 
     fn diagnostics(&self) -> Vec<Diagnostic> {
-        vec![Diagnostic { name: "dust_compacted_volume", unit: "m^3" }]
+        vec![Diagnostic { name: COMPACTED_VOLUME, unit: "m^3" }]
     }
 
     fn diagnose(&self, columns: &Columns, i: usize, body: usize, mass: f64, add: &mut dyn FnMut(usize, f64)) {

@@ -57,6 +57,16 @@ fn number<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<f64
     Option::deserialize(deserializer).map(|number| number.unwrap_or(f64::NAN))
 }
 
+/// Pieces of a body, or of two that have collided.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Fragments {
+    /// `sticking`, `bouncing` or `fragmentation`, of two bodies.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outcome: Option<String>,
+    #[serde(flatten)]
+    pub figures: Figures,
+}
+
 /// Names of bodies with figures of each.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Remnants(pub Vec<(String, Figures)>);
@@ -143,6 +153,15 @@ pub struct Summary {
     /// Shares of the own matter of an impact's bodies.
     #[serde(skip_serializing_if = "Remnants::is_empty")]
     pub remnants: Remnants,
+    /// A body that falls into dust.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub intrusion: Option<Figures>,
+    /// A body that hits another.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub restitution: Option<Figures>,
+    /// The pieces of a body, or of two that have collided.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fragments: Option<Fragments>,
     /// The bodies written for an N-body program.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub nbody: Option<Figures>,

@@ -7,10 +7,13 @@ use super::geometry::shape::BodyShape;
 use super::tables::body::validated::Body;
 use super::tables::compare::ComparisonSettings;
 use super::tables::gravity::GravitySettings;
+use super::tables::impacts::fragments::FragmentsSettings;
 use super::tables::impacts::impact::ImpactSettings;
+use super::tables::impacts::intrusion::IntrusionSettings;
 use super::tables::impacts::late_stage::LateStageSettings;
 use super::tables::impacts::nbody::NbodySettings;
 use super::tables::impacts::outcome::OutcomeSettings;
+use super::tables::impacts::restitution::RestitutionSettings;
 use super::tables::impacts::threshold::ThresholdSettings;
 use super::tables::numerics::NumericsSettings;
 use super::tables::output::OutputSettings;
@@ -35,6 +38,9 @@ pub struct Scene {
     pub materials: Vec<MaterialTable>,
     pub material_names: Vec<String>,
     pub impact: Option<ImpactSettings>,
+    pub intrusion: Option<IntrusionSettings>,
+    pub restitution: Option<RestitutionSettings>,
+    pub fragments: Option<FragmentsSettings>,
     pub numerics: NumericsSettings,
     pub run: RunSettings,
     pub late_stage: Option<LateStageSettings>,

@@ -5,7 +5,7 @@ use std::time::Instant;
 use super::collapse::Collapse;
 use super::footprint::Footprint;
 use super::restart;
-use super::results::{probes, report, warnings};
+use super::results::{intrusion, probes, report, restitution, warnings};
 use super::run::{Options, Products, Run};
 use super::setup::{self, Plan};
 use super::state::{Conservation, Restored, RunState, Spent};
@@ -110,6 +110,8 @@ impl<'a, const D: usize> Run<'a, D> {
         let first = stepper.totals();
         Ok(RunState {
             conservation: Conservation::new(&first),
+            intrusion: intrusion::begin(scene, stepper),
+            bounce: restitution::begin(scene, stepper),
             snapshots: 0,
             settled: restart::settling(scene, first.kinetic_in_centre_of_mass()),
             snapshot_time: None,
@@ -142,6 +144,10 @@ fn history<const D: usize>(scene: &Scene, options: &Options, stepper: &Stepper<D
     let settings = &stepper.settings;
     let mut columns = report::history_columns(&settings.effects, settings.motions.is_some(), scene);
     columns.extend(probes::columns(scene, stepper.columns.registry.find::<f64>(DISTENTION).is_some()));
+    let fall = intrusion::COLUMNS.iter().filter(|_| scene.intrusion.is_some());
+    columns.extend(fall.map(|(name, unit)| (name.to_string(), unit.to_string())));
+    let speed = scene.restitution.map(|_| restitution::COLUMN);
+    columns.extend(speed.map(|(name, unit)| (name.to_string(), unit.to_string())));
     let labels: Vec<(&str, &str)> = columns.iter().map(|(name, unit)| (name.as_str(), unit.as_str())).collect();
     let resumed = Some(stepper.state.step).filter(|&step| step > 0);
     History::open(&options.directory.join("history.csv"), &labels, resumed, comm)

@@ -64,10 +64,13 @@ impl<const D: usize> Run<'_, D> {
         let scene = self.scene;
         // Written after the checkpoint, which does not count it.
         let last = snapshot::name(self.state.snapshots + 1);
-        let files: [(&str, bool); 4] = [
+        let files: [(&str, bool); 7] = [
             ("outcome.png", scene.output.picture),
             ("fragments.csv", scene.impact.is_some() && !scene.hits_ground()),
             ("nbody.csv", scene.nbody.is_some()),
+            ("restitution.csv", scene.restitution.is_some()),
+            ("fragment_masses.csv", scene.fragments.is_some()),
+            ("filling_profile.csv", scene.intrusion.is_some() && self.ends_deepest()),
             (
                 &last,
                 scene.output.snapshots != Snapshots::Never && self.state.snapshot_time != Some(self.stepper.state.time),

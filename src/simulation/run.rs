@@ -10,6 +10,8 @@ use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::outcome::Outcome;
 use crate::outcome::crater::CraterEvaluation;
+use crate::outcome::intrusion::IntrusionEvaluation;
+use crate::outcome::populations::Populations;
 use crate::output::publish::replace;
 use crate::output::summary::Accuracy;
 use crate::output::{History, Summary};
@@ -85,6 +87,12 @@ pub(super) struct Products {
     pub tables: Vec<(&'static str, Vec<u8>)>,
     /// Crater to be drawn.
     pub crater: Option<CraterEvaluation>,
+    /// Fall into dust to be drawn.
+    pub intrusion: Option<IntrusionEvaluation>,
+    /// Pieces to be drawn.
+    pub populations: Option<Populations>,
+    /// Whether the bounce is to be drawn.
+    pub bounce: bool,
     /// Whether the cut is to be drawn.
     pub cut: bool,
 }

@@ -5,7 +5,10 @@ use serde::{Deserialize, Serialize};
 use crate::math::Vec3;
 use crate::outcome::Outcome;
 use crate::outcome::crater::Crater;
+use crate::outcome::filling::Marks;
+use crate::outcome::intrusion::Fall;
 use crate::outcome::reaccumulated::Reaccumulated;
+use crate::outcome::restitution::Bounce;
 use crate::outcome::settled::Settled;
 use crate::step::late::Switch;
 use crate::step::{Counters, StepState, Totals};
@@ -105,6 +108,12 @@ pub struct RunState {
     /// free fall.
     #[serde(default)]
     pub vibration: Vec<[f64; 2]>,
+    /// A body that falls into dust, where the scene asks for it.
+    #[serde(default)]
+    pub intrusion: Option<Intrusion>,
+    /// A body that hits another, where the scene asks for it.
+    #[serde(default)]
+    pub bounce: Option<Bounce>,
     /// Outcome where the run settled, or at its end: this one counts. `None` for ground.
     pub outcome: Option<Outcome>,
     /// The crater in a flat face, at the same time.
@@ -153,6 +162,26 @@ pub struct LateStart {
     pub switch: Switch,
     /// Steps that are allowed before and after, s.
     pub dt: [f64; 2],
+}
+
+/// A body that falls into dust.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Intrusion {
+    pub fall: Fall,
+    /// What it had left of the dust when that was looked at last.
+    pub left: Option<Left>,
+}
+
+/// What a fall has left of the dust.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Left {
+    /// When, s.
+    pub time: f64,
+    pub marks: Marks,
+    /// m^3 (m^2 in 2D).
+    pub compacted_volume: f64,
+    /// The filling factor that a volume as large as the body's exceeds.
+    pub of_one_body: Option<f64>,
 }
 
 impl RunState {

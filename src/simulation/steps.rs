@@ -50,6 +50,7 @@ impl<'a, const D: usize> Run<'a, D> {
             };
             let steps = self.stepper.state.step;
             self.warn_of_collapse();
+            self.follow_fall()?;
             if steps % self.scene.output.history_every == 0 {
                 self.note_totals()?;
                 progress.show(self.done(), || self.describe());
@@ -114,7 +115,8 @@ impl<'a, const D: usize> Run<'a, D> {
 
     pub(super) fn is_over(&self) -> bool {
         let steps = self.scene.run.steps.is_some_and(|most| self.stepper.state.step >= most);
-        steps || self.end_time().is_some_and(|end| self.stepper.state.time >= end)
+        let deepest = self.scene.intrusion.is_some_and(|intrusion| intrusion.ends_run) && self.is_deepest();
+        steps || deepest || self.end_time().is_some_and(|end| self.stepper.state.time >= end)
     }
 
     /// What this rank requests after the coming step; rank 0 keeps the clock of checkpoints.
@@ -171,6 +173,7 @@ impl<'a, const D: usize> Run<'a, D> {
         self.totals = self.stepper.totals();
         self.state.conservation.note(&self.totals, self.stepper.state.time);
         self.sample_vibration();
+        self.follow_bounce();
         self.write_history();
         let time = self.stepper.state.time;
         let Some(settled) = self.state.settled.as_mut() else { return Ok(()) };

@@ -10,10 +10,13 @@ use crate::scene::tables::body::table::BodyTable;
 use crate::scene::tables::compare::CompareTable;
 use crate::scene::tables::domain::DomainTable;
 use crate::scene::tables::gravity::GravityTable;
+use crate::scene::tables::impacts::fragments::FragmentsTable;
 use crate::scene::tables::impacts::impact::ImpactTable;
+use crate::scene::tables::impacts::intrusion::IntrusionTable;
 use crate::scene::tables::impacts::late_stage::LateStageTable;
 use crate::scene::tables::impacts::nbody::NbodySettings;
 use crate::scene::tables::impacts::outcome::OutcomeTable;
+use crate::scene::tables::impacts::restitution::RestitutionTable;
 use crate::scene::tables::impacts::threshold::ThresholdTable;
 use crate::scene::tables::numerics::NumericsTable;
 use crate::scene::tables::output::OutputTable;
@@ -43,6 +46,9 @@ pub struct SceneTables {
     #[serde(default)]
     pub layer: Vec<LayerTable>,
     pub impact: Option<ImpactTable>,
+    pub intrusion: Option<IntrusionTable>,
+    pub restitution: Option<RestitutionTable>,
+    pub fragments: Option<FragmentsTable>,
     #[serde(default)]
     pub domain: DomainTable,
     pub gravity: Option<GravityTable>,

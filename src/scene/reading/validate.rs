@@ -7,6 +7,7 @@ use crate::error::{Error, Result};
 use crate::material::MaterialTable;
 use crate::scene::document::source::{Document, SourceText};
 use crate::scene::tables::domain;
+use crate::scene::tables::impacts::intrusion::Around;
 use crate::scene::tables::impacts::late_stage::Surroundings;
 use crate::scene::tables::regions::probe;
 use crate::scene::validated::Scene;
@@ -53,6 +54,11 @@ pub fn validate(document: &Document, tables: &SceneTables) -> Result<Scene> {
     let probes = (0..).zip(&tables.probe).map(|(number, probe)| probe.validate(document, number, &bodies));
     let probes = probes.collect::<Result<Vec<_>>>()?;
     probe::check_names(document, &probes)?;
+    let around = Around { bodies: &bodies, materials: &materials, gravity: &gravity, periods: &periods };
+    let intrusion = tables.intrusion.as_ref().map(|table| table.validate(document, &around)).transpose()?;
+    let restitution =
+        tables.restitution.as_ref().map(|table| table.validate(document, &bodies, &gravity)).transpose()?;
+    let fragments = tables.fragments.as_ref().map(|table| table.validate(document, &bodies)).transpose()?;
     let threshold = match &tables.threshold {
         None => None,
         Some(threshold) => Some(threshold.validate(document, &checks::varied(document, impact.as_ref(), &bodies)?)?),
@@ -69,6 +75,9 @@ pub fn validate(document: &Document, tables: &SceneTables) -> Result<Scene> {
         materials,
         material_names,
         impact,
+        intrusion,
+        restitution,
+        fragments,
         numerics,
         run,
         late_stage,

@@ -21,6 +21,8 @@ impl<const D: usize> Run<'_, D> {
         let held = self.stepper.settings.motions.is_some();
         let mut cells = report::history_row(&self.stepper.state, &self.totals, &self.limit, held, D == 2);
         cells.extend(probes::row(self.scene, &self.stepper, self.comm).into_iter().map(Cell::Real));
+        cells.extend(self.fall_row().into_iter().map(Cell::Real));
+        cells.extend(self.state.bounce.as_ref().map(|bounce| Cell::Real(bounce.after())));
         tracing::debug!("{}", self.describe());
         // Rank 0 writes; where it fails, all ranks learn of it with the next step.
         if let Err(error) = self.history.row(&cells) {

@@ -3,16 +3,16 @@
 
 use std::path::Path;
 
-use super::ground;
 use super::report::{self, Report};
 use super::summary;
 use super::warnings;
+use super::{fragments, ground};
 use crate::comparison::Noted;
 use crate::error::{Error, Result};
 use crate::outcome::distributions::distributions;
 use crate::outcome::origin;
 use crate::output::figures::or_warn;
-use crate::output::summary::Figures;
+use crate::output::summary::{Figures, Fragments};
 use crate::output::{Summary, agree, snapshot};
 use crate::scene::Snapshots;
 use crate::simulation::run::{Ended, Run, RunReport};
@@ -55,6 +55,18 @@ impl<const D: usize> Run<'_, D> {
             if let Some(evaluation) = products.crater.filter(|_| root) {
                 or_warn(self.draw_crater(&evaluation));
             }
+            if root && products.bounce {
+                or_warn(self.draw_bounce());
+            }
+            if let Some(populations) = products.populations.filter(|_| root) {
+                or_warn(self.draw_populations(&populations));
+            }
+            if let Some(evaluation) = products.intrusion {
+                let drawn = self.draw_deepest();
+                if root {
+                    or_warn(drawn.and(self.draw_intrusion(&evaluation)));
+                }
+            }
             let drawn = if products.cut { self.draw_cut() } else { Ok(()) };
             if root {
                 or_warn(drawn);
@@ -69,7 +81,7 @@ impl<const D: usize> Run<'_, D> {
             scene: self.scene,
             stepper: &self.stepper,
             time: self.stepper.state.time,
-            directory: &self.options.directory,
+            path: &self.options.directory.join("outcome.png"),
         };
         report::draw_cut(&source, self.comm)
     }
@@ -103,6 +115,10 @@ impl<const D: usize> Run<'_, D> {
             true => later = Some(self.evaluate_outcome().outcome),
             false => self.products.cut = true,
         }
+        if self.scene.intrusion.is_some() && (!self.is_deepest() || (again.is_some() && self.ends_deepest())) {
+            self.take_intrusion();
+        }
+        let fragments = self.take_fragments();
         let (errors, nbody) = (self.errors(None), self.nbody());
         let again = again.is_some();
         let saved = if again {
@@ -116,7 +132,7 @@ impl<const D: usize> Run<'_, D> {
         // After a failed checkpoint there is no room for a snapshot, nor can HDF5 be relied on.
         let there = again && !self.lacks(&[&snapshot::name(self.state.snapshots + 1)]);
         let snapshot = snapshot && saved.is_ok() && !there;
-        let summary = self.summary(errors.clone().unwrap_or_default(), nbody);
+        let summary = self.summary(errors.clone().unwrap_or_default(), nbody, fragments);
         let path = self.options.directory.join("summary.json");
         let reported = saved.and(errors.and_then(|_| summary.write(&path, self.comm)));
         let failed = agree(self.comm, self.failed.take().map_or(Ok(()), Err));
@@ -139,9 +155,21 @@ impl<const D: usize> Run<'_, D> {
         Ok(self.report_of(Ended::Finished, summary))
     }
 
+    /// Tables of what is asked about bounces and pieces, and figures of the latter. Collective.
+    fn take_fragments(&mut self) -> Option<Fragments> {
+        let table = self.state.bounce.as_ref().map(|bounce| ("restitution.csv", bounce.table().into_bytes()));
+        self.products.bounce = table.is_some();
+        self.products.tables.extend(table);
+        let populations = self.populations()?;
+        self.products.tables.push(("fragment_masses.csv", populations.table().into_bytes()));
+        let figures = fragments::figures(&populations, self.scene);
+        self.products.populations = Some(populations);
+        Some(figures)
+    }
+
     /// The results of a run that ends here. Collective.
     pub(in crate::simulation) fn report(self, ended: Ended) -> RunReport {
-        let summary = self.summary(Figures::default(), None);
+        let summary = self.summary(Figures::default(), None, None);
         self.report_of(ended, summary)
     }
 
@@ -149,7 +177,7 @@ impl<const D: usize> Run<'_, D> {
         RunReport { ended, summary, outcome: self.state.outcome, later: self.state.end.and_then(|end| end.later) }
     }
 
-    fn summary(&self, errors: Figures, nbody: Option<Figures>) -> Summary {
+    fn summary(&self, errors: Figures, nbody: Option<Figures>, fragments: Option<Fragments>) -> Summary {
         summary::summarise(&Report {
             scene: self.scene,
             stepper: &self.stepper,
@@ -160,6 +188,7 @@ impl<const D: usize> Run<'_, D> {
             spent: self.spent(),
             errors,
             nbody,
+            fragments,
             resident_at_start: self.options.resident_at_start,
             accuracy: self.options.accuracy.as_ref(),
             comm: self.comm,

@@ -10,7 +10,7 @@ use crate::outcome::Outcome;
 use crate::output::Cell;
 use crate::output::figures::cut::{self, Picture};
 use crate::output::figures::raster::Plane;
-use crate::output::summary::{Accuracy, Figures};
+use crate::output::summary::{Accuracy, Figures, Fragments};
 use crate::scene::Scene;
 use crate::simulation::state::{RunState, Spent};
 use crate::step::packing::Packing;
@@ -94,17 +94,19 @@ pub struct PictureSource<'a, 'c, const D: usize> {
     pub scene: &'a Scene,
     pub stepper: &'a Stepper<'c, D>,
     pub time: f64,
-    pub directory: &'a Path,
+    /// The file.
+    pub path: &'a Path,
 }
 
-/// outcome.png: a cut through the plane of impact. Collective.
+/// A cut through the plane of an impact or a fall. Collective.
 pub fn draw_cut<const D: usize>(source: &PictureSource<D>, comm: &Comm) -> Result<()> {
     let scene = source.scene;
     let target = scene.impact.as_ref().map_or(0, |impact| impact.target);
     let (face, origin) = (scene.face(), Vec3::from(scene.bodies[target].centre));
     // The projectile comes down in the plane of x and the face's normal; onto a sphere it moves in that of x and y.
     let up = face.map_or(1, |face| face.up);
-    let plane = Plane { origin, across: Vec3::x(), up: Vec3::ith(up, 1.0) };
+    let of_impact = || Plane { origin, across: Vec3::x(), up: Vec3::ith(up, 1.0) };
+    let plane = plane_of_fall(scene).unwrap_or_else(of_impact);
     let picture = Picture {
         title: format!("{} (t = {:.4} s)", scene.title, source.time),
         plane,
@@ -112,7 +114,15 @@ pub fn draw_cut<const D: usize>(source: &PictureSource<D>, comm: &Comm) -> Resul
         distention: scene.bodies.iter().fold(1.0, |most: f64, body| most.max(body.distention)),
     };
     let (columns, bodies) = (&source.stepper.columns, &source.stepper.settings.view.constants);
-    cut::draw(&source.directory.join("outcome.png"), &picture, columns, bodies, comm)
+    cut::draw(source.path, &picture, columns, bodies, comm)
+}
+
+/// The plane in which a body falls into dust.
+fn plane_of_fall(scene: &Scene) -> Option<Plane> {
+    let fall = scene.intrusion?;
+    let origin = Vec3::from(scene.bodies[fall.body].centre);
+    let across = if fall.axis == 0 { Vec3::y() } else { Vec3::x() };
+    Some(Plane { origin, across, up: Vec3::ith(fall.axis, 1.0) })
 }
 
 /// Whether angular momentum is conserved: not with walls, periodic axes or uniform gravity.
@@ -133,6 +143,7 @@ pub struct Report<'a, 'c, const D: usize> {
     /// Errors against the exact solution that the scene names.
     pub errors: Figures,
     pub nbody: Option<Figures>,
+    pub fragments: Option<Fragments>,
     pub resident_at_start: f64,
     pub accuracy: Option<&'a Accuracy>,
     pub comm: &'a Comm,

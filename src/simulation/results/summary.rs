@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::report::{Report, turns_freely};
-use super::{ground, warnings};
+use super::{fragments, ground, intrusion, restitution, warnings};
 use crate::domain::comm::Comm;
 use crate::outcome::Outcome;
 use crate::outcome::crater::Crater;
@@ -74,6 +74,9 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         late_stage: state.late.as_ref().map(|start| late::figures(start, conservation.energy_scale)),
         outcome: state.has_outcome().then(|| outcome_figures(report)),
         remnants: state.outcome.as_ref().map_or(Remnants::default(), |outcome| remnants(outcome, report.scene)),
+        intrusion: state.intrusion.as_ref().map(|fall| intrusion::figures(fall, report.scene)),
+        restitution: state.bounce.as_ref().map(restitution::figures),
+        fragments: report.fragments.clone(),
         nbody: report.nbody.clone(),
         threshold: None,
         accuracy: report.accuracy.cloned(),
@@ -217,6 +220,12 @@ pub fn print(summary: &Summary, crater: Option<&Crater>, printed: usize, directo
     );
     if let Some(crater) = crater {
         ground::print(crater);
+    }
+    if let Some(figures) = &summary.intrusion {
+        intrusion::print(figures);
+    }
+    if let Some(found) = &summary.fragments {
+        fragments::print(found);
     }
     if let Some(outcome) = summary.outcome.as_ref().filter(|outcome| outcome.0.iter().any(|(n, _)| n == "fragments")) {
         let of = |name: &str| outcome.0.iter().find(|(n, _)| n == name).map_or(f64::NAN, |(_, v)| *v);

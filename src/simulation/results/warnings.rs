@@ -2,6 +2,7 @@
 //! its end. Every kind of warning is made here.
 
 use super::report::Report;
+use super::{intrusion, restitution};
 use crate::math::Vec3;
 use crate::outcome::Outcome;
 use crate::output::Summary;
@@ -41,6 +42,8 @@ pub fn of_run<const D: usize>(report: &Report<D>, summary: &Summary) -> Vec<Warn
         below_zero(report.totals.internal, scale),
         angular_momentum(summary, report.state.conservation.turn / circling(report.scene, report.totals.mass, scale)),
         density(report.scene, report.packing),
+        report.state.intrusion.as_ref().and_then(|fall| intrusion::warning(fall, report.scene)),
+        report.state.bounce.as_ref().and_then(|bounce| restitution::warning(bounce, report.scene)),
         outcome.and_then(|outcome| few_particles(outcome, D)),
         outcome.and_then(|outcome| other_remnant(outcome, report.scene)),
     ]
