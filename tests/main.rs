@@ -40,6 +40,7 @@ mod ranks_outcome;
 mod refined;
 mod rest;
 mod restart;
+mod rigid;
 mod sameness;
 mod scenes;
 mod studies;

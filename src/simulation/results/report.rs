@@ -117,7 +117,7 @@ pub fn draw_cut<const D: usize>(source: &PictureSource<D>, comm: &Comm) -> Resul
 
 /// Whether angular momentum is conserved: not with walls, periodic axes or uniform gravity.
 pub fn turns_freely<const D: usize>(scene: &Scene, stepper: &Stepper<D>) -> bool {
-    stepper.settings.motions.is_none() && !scene.periods.any() && scene.gravity.uniform.is_none()
+    !stepper.settings.prescribes_motion() && !scene.periods.any() && scene.gravity.uniform.is_none()
 }
 
 /// The input of a summary.
