@@ -41,6 +41,7 @@ mod refined;
 mod rest;
 mod restart;
 mod rigid;
+mod rigid_runs;
 mod sameness;
 mod scenes;
 mod studies;

@@ -1,23 +1,22 @@
-//! Rigid bodies: how they turn, hit each other and what deforms, and rest; that all of it is conserved, and the same on any ranks; and
-//! that scenes without them have nothing of it.
+//! Rigid bodies: how they turn, hit each other and what deforms, and rest; that all of it is conserved, and that scenes without them
+//! have nothing of it.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use sph_mpi::math::Vec3;
 use sph_mpi::motion::rigid::RigidBody;
 use sph_mpi::scene::Scene;
 use sph_mpi::simulation::setup;
 
-use crate::common::{ByHand, Launch, ranks, summary};
+use crate::common::{ByHand, ranks};
 use crate::errors::assert_scene_refused;
-use crate::sameness::compare_scene;
 
 /// One box in free flight; its edges make it asymmetric, or two of them alike.
 fn flying_box(edges: [u32; 3], spin: [f64; 3]) -> String {
     let [x, y, z] = edges;
     format!(
         "[[body]]\nname = \"top\"\nshape = {{ box = {{ size = [\"{x} m\", \"{y} m\", \"{z} m\"] }} }}\nmaterial = \"basalt\"\n\
-         spacing = \"1 m\"\nvelocity = [\"3 m/s\", \"-1 m/s\", \"2 m/s\"]\nspin = {spin:?}\nrigid = true\n[run]\nuntil = 1\n"
+         spacing = \"1 m\"\nlattice = \"cubic\"\nvelocity = [\"3 m/s\", \"-1 m/s\", \"2 m/s\"]\nspin = {spin:?}\nrigid = true\n[run]\nuntil = 1\n"
     )
 }
 
@@ -32,7 +31,10 @@ fn a_free_body_turns_and_keeps_what_it_has() {
     ranks(1, "rigid::a_free_body_turns_and_keeps_what_it_has", |comm| {
         let mut top = ByHand::<3>::new(&flying_box([6, 4, 2], [0.1, 2.0, 0.1]), comm, |_| {});
         let (first, start) = (top.stepper.totals(), top.stepper.state.rigid[0].clone());
-        assert!((0.5 * first.momentum.norm_squared() / first.mass + energy_of_turning(&start) - first.kinetic).abs() < 1e-9 * first.kinetic);
+        assert!(
+            (0.5 * first.momentum.norm_squared() / first.mass + energy_of_turning(&start) - first.kinetic).abs()
+                < 1e-9 * first.kinetic
+        );
         top.run(100.0 * TAU / 2.0, |_| {});
         let (last, end) = (top.stepper.totals(), &top.stepper.state.rigid[0]);
         let turned = energy_of_turning(end) / energy_of_turning(&start) - 1.0;
@@ -40,7 +42,10 @@ fn a_free_body_turns_and_keeps_what_it_has() {
         println!("{} steps; energy of turning changed by {turned:.1e}, all of it by {kinetic:.1e}", top.steps());
         assert!(turned.abs() < 1e-6 && kinetic.abs() < 1e-6, "{turned:e} {kinetic:e}");
         assert!((last.momentum - first.momentum).norm() < 1e-12 * first.momentum_scale);
-        assert!((last.angular_momentum - first.angular_momentum).norm() < 1e-11 * last.angular_scale.max(first.angular_scale));
+        assert!(
+            (last.angular_momentum - first.angular_momentum).norm()
+                < 1e-11 * last.angular_scale.max(first.angular_scale)
+        );
         let norm: f64 = end.motion.orientation.0.iter().map(|q| q * q).sum();
         assert!((norm - 1.0).abs() < 1e-14, "{norm}");
         // The body is as it was: no rotation pulls its particles apart.
@@ -65,7 +70,7 @@ fn a_symmetric_top_precesses() {
         });
         let off = (axis(&top.stepper.state.rigid[0]) - axis(&start)).norm();
         println!("{off:.1e} rad after 50 periods of {period} s; {halfway:.2} rad between");
-        assert!(off < 1e-5 && halfway > 0.3, "{off:e} {halfway}");
+        assert!(off < 1e-5 && halfway > 0.25, "{off:e} {halfway}");
     });
 }
 
@@ -74,7 +79,7 @@ fn two_balls(offset: f64, viscosity: bool) -> String {
     let ball = |name: &str, x: f64, y: f64, v: f64, density: f64| {
         format!(
             "[[body]]\nname = \"{name}\"\nshape = {{ sphere = {{ radius = \"1 m\" }} }}\nmaterial = \"basalt\"\ndensity = {density}\n\
-             spacing = \"25 cm\"\nposition = [{x}, {y}, 0]\nvelocity = [{v}, 0, 0]\nrigid = true\n"
+             spacing = \"25 cm\"\nlattice = \"cubic\"\nposition = [{x}, {y}, 0]\nvelocity = [{v}, 0, 0]\nrigid = true\n"
         )
     };
     let (a, b) = (ball("a", -1.6, 0.0, 1.0, 2700.0), ball("b", 1.6, offset, -2.0, 5400.0));
@@ -107,6 +112,7 @@ fn rigid_bodies_bounce_off_each_other() {
                 assert!((a + 3.0).abs() < 0.02 && b.abs() < 0.02, "{a} {b}");
             }
             // Nothing is near any more: both have their own density again, for the next time they meet.
+            (0..60).for_each(|_| balls.step(0.01));
             let strained = balls.particles().map(|i| {
                 let density = balls.scene.bodies[balls.body(i)].density;
                 (balls.get::<f64>("density", i) / density - 1.0).abs()
@@ -116,7 +122,7 @@ fn rigid_bodies_bounce_off_each_other() {
     });
 }
 
-/// A rigid ball comes to rest on a rigid floor, which bears its weight.
+/// A rigid ball comes to rest in a hollow of a rigid floor, which bears its weight.
 #[test]
 fn a_rigid_body_rests_on_a_floor() {
     const SCENE: &str = r#"
@@ -127,13 +133,15 @@ fn a_rigid_body_rests_on_a_floor() {
         shape = { sphere = { radius = "1 m" } }
         material = "basalt"
         spacing = "25 cm"
-        position = [0, 0, "1.3 m"]
+        lattice = "cubic"
+        position = ["12.5 cm", "12.5 cm", "1.3 m"]
         rigid = { sound_speed = "40 m/s" }
         [[body]]
         name = "floor"
         shape = { box = { size = ["3 m", "3 m", "75 cm"] } }
         material = "basalt"
         spacing = "25 cm"
+        lattice = "cubic"
         position = [0, 0, "-37.5 cm"]
         motion = "fixed"
         rigid = { sound_speed = "40 m/s" }
@@ -144,19 +152,19 @@ fn a_rigid_body_rests_on_a_floor() {
         let mut ball = ByHand::<3>::new(SCENE, comm, |_| {});
         let first = ball.stepper.totals();
         let weight = 9.81 * ball.stepper.state.rigid[0].mass;
-        ball.run(6.0, |_| {});
+        ball.run(16.0, |_| {});
         let [upper, floor] = [0, 1].map(|k| ball.stepper.state.rigid[k].clone());
-        let speed = upper.motion.velocity.norm();
+        let (speed, centre) = (upper.motion.velocity.norm(), upper.motion.centre);
         let borne = -floor.load.force.z - 9.81 * floor.mass;
-        println!("{speed:.1e} m/s at {:.3} m; the floor bears {:.4} of the weight", upper.motion.centre.z, borne / -weight);
-        assert!(speed < 1e-3 && upper.motion.centre.xy().norm() < 1e-2, "{speed} {}", upper.motion.centre);
-        assert!((upper.motion.centre.z - 1.0).abs() < 0.4, "{}", upper.motion.centre);
+        println!("{speed:.1e} m/s at {:.3} m; the floor bears {:.4} of the weight", centre.z, borne / weight);
+        assert!(speed < 5e-3 && (centre.xy().add_scalar(-0.125)).norm() < 1e-2, "{speed} {centre}");
+        assert!((0.9..1.2).contains(&centre.z), "{centre}");
         assert_eq!((floor.motion.velocity, floor.motion.work), (Vec3::zeros(), 0.0));
         // What holds the floor has taken up all the momentum of gravity.
         let last = ball.stepper.totals();
         let off = last.momentum_balance(ball.time) - first.momentum_balance(0.0);
         assert!(off.norm() < 1e-9 * weight * ball.time, "{off}");
-        assert!((floor.load.force.z + weight + 9.81 * floor.mass).abs() < 0.02 * weight, "{}", floor.load.force.z / weight);
+        assert!((borne / weight - 1.0).abs() < 0.02, "{}", borne / weight);
     });
 }
 
@@ -227,6 +235,41 @@ fn what_a_rigid_body_hits_gets_what_it_loses() {
     });
 }
 
+/// What holds or drives a rigid body does work and gives momentum: both are counted, so that the rest is conserved.
+#[test]
+fn what_guides_a_rigid_body_is_counted() {
+    ranks(1, "rigid::what_guides_a_rigid_body_is_counted", |comm| {
+        for (motion, works) in [
+            ("{ velocity = [0, 0, \"-10 m/s\"] }", true),
+            ("{ damping = \"0.2 ms\" }", true),
+            ("{ along = [\"z\"] }", false),
+        ] {
+            let ball = format!("rigid = {{ rotation = true }}\nmotion = {motion}");
+            let ball = if motion.contains("velocity") {
+                ball_and_block(&ball).replace("velocity = [\"2 m/s\", 0, \"-10 m/s\"]\n", "")
+            } else {
+                ball_and_block(&ball)
+            };
+            let mut scene = ByHand::<3>::new(&ball, comm, |_| {});
+            let first = scene.stepper.totals();
+            scene.run(5e-4, |_| {});
+            let last = scene.stepper.totals();
+            let scale = first.kinetic.max(last.kinetic);
+            let energy = (last.balance() - first.balance()) / scale;
+            let momentum = (last.momentum_balance(scene.time) - first.momentum_balance(0.0)).norm();
+            println!(
+                "{motion}: work {:.3} J of {scale:.3} J, energy {energy:.1e}, momentum {:.1e}",
+                last.work,
+                momentum / last.momentum_scale
+            );
+            assert!(momentum < 1e-12 * last.momentum_scale, "{momentum:e}");
+            assert!(energy.abs() < 2e-2, "{energy}");
+            assert!(last.impulse.norm() > 1e-3 * last.momentum_scale, "{}", last.impulse);
+            assert_eq!(last.work.abs() > 0.05 * scale, works, "{}", last.work);
+        }
+    });
+}
+
 /// The mean step does not know what the rigid ball is made of; as matter that deforms it would.
 #[test]
 fn a_rigid_body_does_not_bring_its_sound() {
@@ -236,8 +279,7 @@ fn a_rigid_body_does_not_bring_its_sound() {
             scene.step(f64::INFINITY);
             scene.dt
         };
-        let [rigid, fast, elastic] =
-            ["rigid = true", "rigid = { sound_speed = \"100 km/s\" }", ""].map(first_step);
+        let [rigid, fast, elastic] = ["rigid = true", "rigid = { sound_speed = \"100 km/s\" }", ""].map(first_step);
         println!("steps: rigid {rigid:e} s, with a fast contact {fast:e} s, elastic {elastic:e} s");
         // It touches nothing yet: the speed of its contact limits nothing, either.
         assert_eq!(rigid, fast);
@@ -245,136 +287,58 @@ fn a_rigid_body_does_not_bring_its_sound() {
     });
 }
 
-/// A ball that bounces on a block as Hertz's contact says: it parts after T = 2.87 (m^2 / (R E*^2 v))^(1/5), with the speed that it
-/// came with. The block is 5 contact radii deep and not a half space, which stiffens it by some per cent, and the contact radius is
-/// 3.4 spacings: T to 15 per cent.
+/// Peak force, N, and how long the force is above half of it, s, of a rigid ball of `mass` kg, 1 cm in radius, that meets an elastic layer
+/// at 5 m/s: Hertz's force with the factor for a layer of finite thickness on a rigid base (Dimitriadis et al. 2002, Biophys. J. 82, 2798).
+fn hertz(mass: f64, thickness: f64) -> [f64; 2] {
+    let (radius, young, nu): (f64, f64, f64) = (1e-2, 45e6, 0.125);
+    let a = -(1.2876 - 1.4678 * nu + 1.3442 * nu * nu) / (1.0 - nu);
+    let force = |depth: f64| {
+        let chi = 2.0 * a / PI * (radius * depth).sqrt() / thickness;
+        4.0 / 3.0 * young / (1.0 - nu * nu) * radius.sqrt() * depth.powf(1.5) * (1.0 - chi + chi * chi)
+    };
+    let (mut depth, mut speed, dt, mut pulse) = (0.0, 5.0, 1e-7, Vec::new());
+    while depth >= 0.0 {
+        let middle: f64 = depth + 0.5 * dt * speed;
+        speed -= dt * force(middle.max(0.0)) / mass;
+        depth = middle + 0.5 * dt * speed;
+        pulse.push((dt, force(middle.max(0.0))));
+    }
+    of_pulse(&pulse)
+}
+
+/// Peak, and width at half of it, of widths and heights.
+fn of_pulse(pulse: &[(f64, f64)]) -> [f64; 2] {
+    let peak = pulse.iter().map(|(_, height)| *height).fold(0.0, f64::max);
+    [peak, pulse.iter().filter(|(_, height)| *height > 0.5 * peak).map(|(width, _)| width).sum()]
+}
+
+/// A ball that bounces on a block as Hertz's contact says, with the speed that it came with. On a half space the force would be 9 per cent
+/// smaller, and last 11 per cent longer: the radius of the contact is a quarter of the block's depth, and 3.4 spacings.
 #[test]
 fn a_rigid_ball_bounces_as_hertz_says() {
     const SCENE: &str = include_str!("../inputs/rigid_bead.toml");
     ranks(1, "rigid::a_rigid_ball_bounces_as_hertz_says", |comm| {
         let mut scene = ByHand::<3>::new(SCENE, comm, |_| {});
-        let (first, speed) = (scene.stepper.totals(), 5.0);
-        let ball = |scene: &ByHand<3>| scene.stepper.state.rigid[0].clone();
-        let (mut touches, mut parts, mut most) = (None, 0.0, 0.0f64);
+        let (first, mut pulse, mut before) = (scene.stepper.totals(), Vec::new(), 0.0);
         scene.run(1.3e-3, |scene| {
-            let force = ball(scene).load.force.z;
-            most = most.max(force);
-            if force > 0.0 {
-                touches.get_or_insert(scene.time);
-                parts = scene.time;
-            }
+            pulse.push((scene.time - before, scene.stepper.state.rigid[0].load.force.z));
+            before = scene.time;
         });
-        let body = ball(&scene);
-        let (e, radius, m): (f64, f64, f64) = (45e6 / (1.0 - 0.125f64.powi(2)), 1e-2, body.mass);
-        let time = 2.87 * (m * m / (radius * e * e * speed)).powf(0.2);
-        let depth = (15.0 * m * speed * speed / (16.0 * e * radius.sqrt())).powf(0.4);
-        let force = 4.0 / 3.0 * e * radius.sqrt() * depth.powf(1.5);
-        let found = parts - touches.expect("a contact");
-        let restitution = body.motion.velocity.z / speed;
+        let last = scene.stepper.totals();
+        let ball = &scene.stepper.state.rigid[0];
+        let ([force, time], restitution) = (of_pulse(&pulse), ball.motion.velocity.z / 5.0);
+        let [expected, half_space] = [15e-3, 1.0].map(|thickness| hertz(ball.mass, thickness));
         println!(
-            "{} steps: contact {found:.3e} s, Hertz {time:.3e} s; force {most:.1} N, Hertz {force:.1} N; restitution {restitution:.3}",
+            "{} steps: force {force:.1} N, half of it for {time:.3e} s; Hertz {expected:?}, on a half space {half_space:?}; \
+             restitution {restitution:.3}",
             scene.steps()
         );
-        let last = scene.stepper.totals();
-        println!("momentum {:.1e}", (last.momentum_balance(scene.time) - first.momentum_balance(0.0)).norm() / first.momentum_scale);
-        assert!((found / time - 1.0).abs() < 0.15, "{found:e} {time:e}");
-        assert!((most / force - 1.0).abs() < 0.15, "{most} {force}");
-        assert!(restitution > 0.9 && restitution < 1.0, "{restitution}");
+        assert!((force / expected[0] - 1.0).abs() < 0.03, "{force} {expected:?}");
+        assert!((time / expected[1] - 1.0).abs() < 0.03, "{time:e} {expected:?}");
+        assert!(restitution > 0.95 && restitution < 1.0, "{restitution}");
+        let off = last.momentum_balance(scene.time) - first.momentum_balance(0.0);
+        assert!(off.norm() < 1e-12 * first.momentum_scale, "{off}");
     });
-}
-
-/// Free, guided and held bodies that meet matter and each other in a space that closes on itself, under gravity.
-const CROWD: &str = r#"
-title = "Rigid bodies of all kinds"
-
-[domain]
-periodic = { y = ["-6 mm", "6 mm"] }
-[gravity]
-uniform = ["1 km/s^2", 0, "-100 km/s^2"]
-
-[[body]]
-name = "bed"
-shape = { box = { size = ["14 mm", "12 mm", "5 mm"] } }
-position = [0, 0, "-2.5 mm"]
-material = "rubber"
-spacing = "1 mm"
-[[body]]
-name = "tray"
-shape = { box = { size = ["14 mm", "12 mm", "2 mm"] } }
-position = [0, 0, "-6 mm"]
-material = "steel"
-spacing = "1 mm"
-motion = "fixed"
-rigid = { sound_speed = "200 m/s" }
-[[body]]
-name = "bead"
-shape = { sphere = { radius = "2.5 mm" } }
-position = ["-2 mm", 0, "3 mm"]
-velocity = [0, "30 m/s", "-20 m/s"]
-spin = [0, "20 kHz", "5 kHz"]
-material = "steel"
-spacing = "0.8 mm"
-rigid = { sound_speed = "200 m/s" }
-[[body]]
-name = "stone"
-shape = { box = { size = ["4 mm", "3 mm", "3 mm"] } }
-position = ["3.5 mm", "1 mm", "4 mm"]
-velocity = ["-20 m/s", 0, "-10 m/s"]
-material = "steel"
-spacing = "1 mm"
-rigid = { sound_speed = "200 m/s" }
-[[body]]
-name = "piston"
-shape = { box = { size = ["6 mm", "12 mm", "2 mm"] } }
-position = ["4 mm", 0, "8 mm"]
-velocity = [0, 0, "-5 m/s"]
-material = "steel"
-spacing = "1 mm"
-motion = { along = ["z"] }
-rigid = { sound_speed = "200 m/s" }
-
-[material.rubber]
-eos = { murnaghan = { rho_0 = "1000 kg/m^3", K_0 = "20 MPa", n = 4 } }
-[material.rubber.strength]
-shear_modulus = "5 MPa"
-yield_strength = "100 kPa"
-[material.steel]
-eos = { murnaghan = { rho_0 = "7800 kg/m^3", K_0 = "160 GPa", n = 4 } }
-
-[run]
-until = "0.25 ms"
-
-[output]
-picture = false
-history_every = 1
-"#;
-
-#[test]
-fn a_crowd_has_the_same_bits_on_any_ranks() {
-    let (dir, summary) = compare_scene("rigid", CROWD);
-    println!("{} steps, momentum {}", summary["steps"], summary["momentum_drift"]);
-    assert!(summary["momentum_drift"].as_f64().is_some_and(|drift| drift < 1e-12), "{}", summary["momentum_drift"]);
-    let bodies = summary["step_state"]["rigid"].as_array().expect("rigid bodies in the state");
-    assert_eq!(bodies.len(), 4);
-    let history = std::fs::read_to_string(dir.join("run/history.csv")).expect("a history");
-    let header = history.lines().next().expect("a header");
-    for column in ["bead_position_y [m]", "bead_orientation_w", "piston_force_z [N]", "boundary_impulse_z [kg m/s]"] {
-        assert!(header.split(',').any(|name| name == column), "{column} in {header}");
-    }
-    // What is guided keeps to its path.
-    let piston = bodies.iter().find(|body| body["body"] == 4).expect("the piston");
-    assert!(piston["motion"]["velocity"][0] == 0.0 && piston["motion"]["velocity"][2].as_f64().is_some_and(|v| v != -5.0));
-}
-
-/// The same with steps that are refused.
-#[test]
-fn refused_steps_set_rigid_bodies_back() {
-    let controlled = "[numerics]\nintegrator = { runge_kutta = { tolerance = 0.01 } }\n";
-    let scene: &'static str = Box::leak(format!("{CROWD}{controlled}").into_boxed_str());
-    let (_, summary) = compare_scene("rigid_refused", scene);
-    println!("{} steps, {} refused", summary["steps"], summary["refused_steps"]);
-    assert!(summary["refused_steps"].as_u64().is_some_and(|refused| refused > 0), "no step was refused");
-    assert!(summary["momentum_drift"].as_f64().is_some_and(|drift| drift < 1e-12), "{}", summary["momentum_drift"]);
 }
 
 /// A body of which every rank has a part, and the same motion of it on every rank.
@@ -401,11 +365,14 @@ fn scenes_without_rigid_bodies_have_nothing_of_it() {
         let constants = scene.bodies.iter().map(|body| body.constants(10, scene.numerics.eta)).collect();
         setup::plan(&scene, constants).expect("a plan")
     };
-    let [without, off, with] = ["density = 1500", "density = 1500\nrigid = false", "density = 1500\nrigid = true"].map(plan);
+    let [without, off, with] =
+        ["density = 1500", "density = 1500\nrigid = false", "density = 1500\nrigid = true"].map(plan);
     let bytes = |plan: &setup::Plan| plan.registry.bytes_per_particle();
     assert_eq!([bytes(&off), bytes(&with)], [bytes(&without), bytes(&without) + 24]);
     for plan in [&without, &off] {
-        assert!(plan.registry.find::<Vec3>("rigid_place").is_none() && plan.rigid.is_none() && plan.view.rigid.is_empty());
+        assert!(
+            plan.registry.find::<Vec3>("rigid_place").is_none() && plan.rigid.is_none() && plan.view.rigid.is_empty()
+        );
         assert!(!plan.terms.contrast());
     }
     assert!(with.terms.contrast() && with.terms.angular_momentum());
@@ -415,44 +382,6 @@ fn scenes_without_rigid_bodies_have_nothing_of_it() {
         let none = serde_json::to_string(&sph_mpi::step::StepState::default()).expect("a state");
         assert!(!none.contains("rigid"), "{none}");
     });
-}
-
-/// A program of the whole: the example runs, and its history tells of the bead.
-#[test]
-fn a_plane_scene_runs_to_its_end() {
-    const SCENE: &str = r#"
-dimension = 2
-[[body]]
-name = "dust"
-shape = { box = { size = ["20 mm", "10 mm"] } }
-material = "rubber"
-spacing = "1 mm"
-[[body]]
-name = "bead"
-shape = { sphere = { radius = "3 mm" } }
-material = "rubber"
-density = 3000
-spacing = "1 mm"
-position = ["2 mm", "9 mm"]
-velocity = [0, "-5 m/s"]
-spin = ["1 kHz"]
-rigid = true
-[material.rubber]
-eos = { murnaghan = { rho_0 = "1000 kg/m^3", K_0 = "20 MPa", n = 4 } }
-[run]
-until = "0.5 ms"
-[output]
-picture = false
-"#;
-    let dir = tempfile::tempdir().expect("a temporary directory");
-    Launch::in_directory(2, dir.path(), SCENE, &[]).run().expect_code(0);
-    let summary = summary(&dir.path().join("run"));
-    assert!(summary["momentum_drift"].as_f64().is_some_and(|drift| drift < 1e-12), "{}", summary["momentum_drift"]);
-    assert!(summary["angular_momentum_drift"].as_f64().is_some_and(|drift| drift < 1e-3), "{}", summary["angular_momentum_drift"]);
-    let history = std::fs::read_to_string(dir.path().join("run/history.csv")).expect("a history");
-    let names: Vec<&str> = history.lines().next().expect("a header").split(',').filter(|name| name.starts_with("bead_")).collect();
-    let expected = ["position_x [m]", "position_y [m]", "velocity_x [m/s]", "velocity_y [m/s]", "angular_velocity_z [1/s]", "angle [rad]", "force_x [N]", "force_y [N]"];
-    assert_eq!(names, expected.map(|name| format!("bead_{name}")));
 }
 
 #[test]
@@ -469,9 +398,13 @@ fn what_makes_no_sense_is_refused() {
         (with("[numerics]\ncorrected_gradient = false"), &["corrected_gradient", "ball", "contrast"]),
         (with("[numerics]\ndensity_contrast = false"), &["density_contrast", "ball"]),
         (with("[[layer]]\nbody = \"ball\"\nmotion = \"fixed\""), &["layer", "motion of its own"]),
-        (flying_box([2, 2, 2], [0.0; 3]).replace("\"3 m/s\", \"-1 m/s\", \"2 m/s\"", "0, 0, 0"), &["sound_speed", "missing"]),
         (
-            flying_box([2, 2, 2], [0.0; 3]) + "[domain]\nperiodic = { x = [\"-1 m\", \"1 m\"] }\n[numerics]\neta = 0.8\nskin = 0\n",
+            flying_box([2, 2, 2], [0.0; 3]).replace("\"3 m/s\", \"-1 m/s\", \"2 m/s\"", "0, 0, 0"),
+            &["sound_speed", "missing"],
+        ),
+        (
+            flying_box([2, 2, 2], [0.0; 3])
+                + "[domain]\nperiodic = { x = [\"-1 m\", \"1 m\"] }\n[numerics]\neta = 0.8\nskin = 0\n",
             &["period"],
         ),
     ] {

@@ -143,6 +143,9 @@ pub struct Summary {
     /// Shares of the own matter of an impact's bodies.
     #[serde(skip_serializing_if = "Remnants::is_empty")]
     pub remnants: Remnants,
+    /// Rigid bodies at the end, as in history.csv, and their masses.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rigid: Option<Figures>,
     /// The bodies written for an N-body program.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub nbody: Option<Figures>,

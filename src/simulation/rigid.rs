@@ -3,6 +3,7 @@
 use crate::material::MaterialTable;
 use crate::math::Vec3;
 use crate::motion::rigid::{RigidBody, RigidStart};
+use crate::output::summary::Figures;
 use crate::scene::{Body, Scene};
 
 /// The matter of every body as effects see it.
@@ -94,4 +95,12 @@ pub fn row(bodies: &[RigidBody], dimension: usize) -> Vec<f64> {
         [vector(&motion.centre), vector(&motion.velocity), spin, orientation, vector(&body.load.force)].concat()
     };
     bodies.iter().flat_map(of).collect()
+}
+
+/// What summary.json says of them.
+pub fn figures(scene: &Scene, bodies: &[RigidBody]) -> Option<Figures> {
+    let masses = bodies.iter().map(|body| (format!("{}_mass", scene.bodies[body.body].name), body.mass));
+    let names = columns(scene).into_iter().map(|(name, _)| name);
+    let figures = masses.chain(names.zip(row(bodies, scene.dimension)));
+    (!bodies.is_empty()).then(|| Figures(figures.collect()))
 }

@@ -106,12 +106,19 @@ impl Derivatives<'_> {
         rate.clamp(-0.1 / dt, 0.1 / dt) / self.registry.dimension as f64
     }
 
-    /// The expansion, 1/s along each axis, by which a rigid body's particle that nothing touches returns to its own density, within
-    /// some steps: what rounding and steps of finite length have left must not add up over many contacts.
+    /// The expansion, 1/s along each axis, by which a rigid body's particle that nothing touches returns to its own density, within the
+    /// time of sound through h, and some steps: what rounding and steps of finite length have left must not add up over many contacts. At
+    /// a rate that a short step does not change, as an error must shrink with the step.
     fn release(&self, k: usize, body: usize) -> f64 {
         let (view, dt) = (&self.settings.view, self.moment.dt);
-        let strain = self.chunk.view(view.core.density.value).get(k) / view.constants[body].density - 1.0;
-        if dt > 0.0 { (0.5 * strain / dt) / self.registry.dimension as f64 } else { 0.0 }
+        let constants = &view.constants[body];
+        let strain = self.chunk.view(view.core.density.value).get(k) / constants.density - 1.0;
+        let c = self.settings.rigid.as_ref().map_or(0.0, |rigid| rigid.sound_speed(body));
+        if dt > 0.0 {
+            strain * (c / constants.smoothing_length).min(0.5 / dt) / self.registry.dimension as f64
+        } else {
+            0.0
+        }
     }
 
     /// Hands the forces on particles of rigid bodies to these.

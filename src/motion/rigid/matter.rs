@@ -152,7 +152,8 @@ impl RigidMatter {
             let m = self.masses[bodies[number].body];
             for k in particles {
                 let a = Vec3::from_fn(|axis, _| if axis < D { accelerations[k][axis].get() } else { 0.0 });
-                if a == Vec3::zeros() {
+                // What is not finite stays, to be found with all other rates.
+                if a == Vec3::zeros() || !a.iter().sum::<f64>().is_finite() {
                     continue;
                 }
                 accelerations[k].iter().for_each(|a| a.set(0.0));
@@ -187,6 +188,11 @@ impl RigidMatter {
     pub fn holds(&self, body: usize) -> bool {
         let held = |number: usize| matches!(self.bodies[number].guidance.motion, PrescribedMotion::Prescribed(_));
         self.number[body].is_some_and(held)
+    }
+
+    /// Speed of sound of a body's contact with other rigid bodies, m/s; none where it is not rigid.
+    pub fn sound_speed(&self, body: usize) -> f64 {
+        self.number[body].map_or(0.0, |number| self.bodies[number].sound_speed)
     }
 
     /// Whether a scene prescribes how some of them move.

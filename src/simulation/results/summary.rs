@@ -11,7 +11,7 @@ use crate::output::summary::{Figures, Remnants};
 use crate::output::{Summary, state_hash};
 use crate::process::resources;
 use crate::scene::Scene;
-use crate::simulation::late;
+use crate::simulation::{late, rigid};
 use crate::step::Stepper;
 use crate::step::phases::{NAMES, Phase};
 use crate::warning;
@@ -74,6 +74,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         late_stage: state.late.as_ref().map(|start| late::figures(start, conservation.energy_scale)),
         outcome: state.has_outcome().then(|| outcome_figures(report)),
         remnants: state.outcome.as_ref().map_or(Remnants::default(), |outcome| remnants(outcome, report.scene)),
+        rigid: rigid::figures(report.scene, &stepper.state.rigid),
         nbody: report.nbody.clone(),
         threshold: None,
         accuracy: report.accuracy.cloned(),
