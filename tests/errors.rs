@@ -47,7 +47,7 @@ fn assert_edit_refused(old: &str, new: &str, says: &[&str]) {
 }
 
 #[track_caller]
-fn assert_scene_refused(scene: &str, says: &[&str]) {
+pub fn assert_scene_refused(scene: &str, says: &[&str]) {
     let dir = tempfile::tempdir().expect("a temporary directory");
     assert_refused(&write_scene(dir.path(), scene), &[], says);
 }

@@ -43,6 +43,8 @@ mod ranks_outcome;
 mod refined;
 mod rest;
 mod restart;
+mod rigid;
+mod rigid_runs;
 mod sameness;
 mod scenes;
 mod studies;

@@ -17,7 +17,7 @@ use crate::error::Result;
 use crate::gravity::G;
 use crate::material::strength::DEVIATORIC_STRESS;
 use crate::math::{Deviator, ExactSum, Vec3};
-use crate::motion::PrescribedMotion;
+use crate::motion::{Motions, PrescribedMotion};
 use crate::output::figures::curves::{Axis, Figure, Mark, Series};
 use crate::output::on_root;
 use crate::output::summary::Figures;
@@ -122,7 +122,10 @@ pub fn speed<const D: usize>(rest: &Rest, stepper: &Stepper<D>, comm: &Comm) -> 
     let mut sums = [ExactSum::new(), ExactSum::new()];
     for i in 0..columns.len() {
         let body = columns.get(settings.view.core.id, i).body();
-        if settings.motions.as_ref().is_some_and(|motions| motions.holds(columns, i, body)) {
+        let holds = |motions: &Motions| motions.holds(columns, i, body);
+        if settings.motions.as_ref().is_some_and(holds)
+            || settings.rigid.as_ref().is_some_and(|rigid| rigid.holds(body))
+        {
             continue;
         }
         let mass = settings.view.constants[body].particle_mass;

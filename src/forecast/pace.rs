@@ -91,7 +91,7 @@ fn measure_in<const D: usize>(
     let alone = comm.alone();
     let columns = block(scene, &plan, edge);
     // The block is matter in open space, whatever the boundaries of the scene.
-    let settings = StepSettings { periods: Periods::OPEN, motions: None, ..plan.settings(scene) };
+    let settings = StepSettings { periods: Periods::OPEN, motions: None, rigid: None, ..plan.settings(scene) };
     let mut stepper = Stepper::<D>::new(&alone, columns, settings);
     let as_error = |failure: Failure| failure.error(|body| &scene.bodies[body].name);
     let mut times = Times::default();
@@ -198,7 +198,8 @@ fn file_speed(comm: &Comm) -> Option<f64> {
 
 /// The particles of a block with this many along each edge.
 fn block(scene: &Scene, plan: &setup::Plan, edge: u64) -> Columns {
-    let number = (0..scene.bodies.len()).max_by_key(|&body| plan.constants[body].particles).unwrap_or(0);
+    let many = |&body: &usize| (scene.bodies[body].rigid.is_none(), plan.constants[body].particles);
+    let number = (0..scene.bodies.len()).max_by_key(many).unwrap_or(0);
     let (body, constants) = (&scene.bodies[number], &plan.constants[number]);
     let spacing = constants.smoothing_length / scene.numerics.eta;
     // Cold gas has no speed of sound: any speed will do.

@@ -96,6 +96,27 @@ impl MaterialTable {
         self.eos.law().reference_density()
     }
 
+    /// Longitudinal speed of sound at a density of the matrix, kg/m^3, and internal energy, J/kg; m/s. Rigid pores do not change it.
+    pub fn sound_speed(&self, density: f64, energy: f64) -> f64 {
+        let (_, bulk) = self.eos.law().pressure(density, energy);
+        let shear = self.moduli(density).map_or(0.0, |[_, shear]| shear);
+        (bulk * bulk + 4.0 / 3.0 * shear / density).sqrt()
+    }
+
+    /// Matter of this viscosity that resists compression alone, by P = c^2 (rho - rho_0) from `density`, kg/m^3, on, c = `sound_speed`,
+    /// m/s: that of a contact between rigid bodies. Whatever effects there are, it has no other.
+    pub fn of_contact(&self, density: f64, sound_speed: f64) -> Self {
+        let number = |x: f64| crate::units::Number::new(x);
+        let law = eos::murnaghan::MurnaghanTable {
+            rho_0: crate::units::Density::new(density),
+            modulus: crate::units::Pressure::new(density * sound_speed * sound_speed),
+            n: number(1.0),
+        };
+        let bare = toml::from_str("eos = { ideal_gas = { gamma = 2 } }").expect("a material of one table");
+        let viscosity = self.viscosity.map(|table| viscosity::ViscosityTable { speed: Default::default(), ..table });
+        Self { eos: eos::EosTable::Murnaghan(law), viscosity, ..bare }
+    }
+
     /// Whether it bears shear.
     pub fn has_strength(&self) -> bool {
         self.strength.is_some() || self.is_dust()

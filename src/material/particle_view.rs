@@ -12,6 +12,8 @@ use crate::particles::{Column, Registry, Values};
 pub struct ParticleView {
     pub core: Core,
     pub constants: Vec<BodyConstants>,
+    /// Whether each body is rigid; empty where none is.
+    pub rigid: Vec<bool>,
     bodies: Vec<BodyTraits>,
     /// Smoothing length now and at the last list build, where it varies.
     smoothing_length: Option<[Column<f64>; 2]>,
@@ -68,6 +70,7 @@ impl ParticleView {
         Self {
             core,
             constants: setup.constants.to_vec(),
+            rigid: Vec::new(),
             bodies: bodies.map(|(material, damage)| BodyTraits::new(material, damage)).collect(),
             smoothing_length: varying[0].zip(varying[1]).map(|(now, at_build)| [now, at_build]),
             damage: registry.find(DAMAGE),
@@ -76,6 +79,12 @@ impl ParticleView {
             loading_speed: registry.find(porosity::LOADING_SPEED),
             contact_alpha: registry.find(CONTACT_ALPHA),
         }
+    }
+
+    /// Whether a body is rigid.
+    #[inline]
+    pub fn is_rigid(&self, body: usize) -> bool {
+        self.rigid.get(body).is_some_and(|rigid| *rigid)
     }
 
     /// Columns of the smoothing length, now and at the last list build, where it varies.

@@ -11,6 +11,8 @@
 //! conservation can be checked with walls, too: dW/dt = m (a' - a).v and dJ/dt = m (a' - a), with a the free acceleration. Energy
 //! less W and momentum less J stay constant.
 
+pub mod rigid;
+
 use serde::{Deserialize, Serialize};
 
 use crate::math::Vec3;

@@ -1,6 +1,8 @@
 //! Neighbour lists: for every owned particle the slots of all others nearer than the larger of the two list radii, in an
 //! order that depends on the particles alone. A row is padded with the dummy slot to whole groups of eight lanes.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use super::cells::CellIndex;
@@ -8,7 +10,7 @@ use super::filter::{Candidates, Centre};
 use super::stream;
 use crate::math::lanes::{Width, width};
 use crate::particles::large_pages::prefer_large_pages;
-use crate::particles::{Local, Place};
+use crate::particles::{Local, ParticleId, Place};
 
 /// Entries of a row come in groups of this many.
 pub const LANES: usize = 8;
@@ -36,6 +38,16 @@ pub struct NeighbourList<const D: usize> {
     /// First row of every cell with owned particles.
     cells: Vec<u32>,
     blocks: Vec<Block<D>>,
+    /// Whether each body is rigid: its particles are no neighbours of each other. Empty where none is.
+    rigid: Vec<bool>,
+}
+
+/// What rows are made from.
+struct Search<'a, const D: usize> {
+    local: &'a Local<D>,
+    index: &'a CellIndex,
+    width: Width,
+    rigid: &'a [bool],
 }
 
 /// The rows of a few cells, while they are made.
@@ -64,11 +76,17 @@ impl<const D: usize> Default for NeighbourList<D> {
             index: CellIndex::default(),
             cells: Vec::new(),
             blocks: Vec::new(),
+            rigid: Vec::new(),
         }
     }
 }
 
 impl<const D: usize> NeighbourList<D> {
+    /// A list for a scene with rigid bodies, where there are any.
+    pub fn new(rigid: &[bool]) -> Self {
+        Self { rigid: rigid.to_vec(), ..Self::default() }
+    }
+
     /// The neighbours of owned particle `i`, padding included.
     #[inline]
     pub fn row(&self, i: usize) -> &[u32] {
@@ -82,7 +100,7 @@ impl<const D: usize> NeighbourList<D> {
 
     /// Releases the memory; the next [`NeighbourList::build`] starts from nothing.
     pub fn forget(&mut self) {
-        *self = Self::default();
+        *self = Self::new(&std::mem::take(&mut self.rigid));
     }
 
     /// Bytes held, spare capacity included.
@@ -105,11 +123,12 @@ impl<const D: usize> NeighbourList<D> {
                 let first = ends.last().map_or(next, |&(_, end)| end);
                 ends.push((first, self.end_of_block(first)));
             }
-            let (index, cells) = (&self.index, &self.cells);
+            let cells = &self.cells;
+            let search = Search { local, index: &self.index, width, rigid: &self.rigid };
             self.blocks.par_iter_mut().zip(&ends).for_each(|(block, &(first, end))| {
                 block.clear();
                 for rows in cells[first..end.max(first) + 1].windows(2) {
-                    block.add_cell(local, index, rows[0] as usize..rows[1] as usize, width);
+                    block.add_cell(&search, rows[0] as usize..rows[1] as usize);
                 }
             });
             next = ends[blocks - 1].1;
@@ -197,7 +216,8 @@ impl<const D: usize> Block<D> {
     }
 
     /// Adds the rows of one cell: its candidates are the same for all of them.
-    fn add_cell(&mut self, local: &Local<D>, index: &CellIndex, rows: std::ops::Range<usize>, width: Width) {
+    fn add_cell(&mut self, search: &Search<D>, rows: Range<usize>) {
+        let &Search { local, index, width, rigid } = search;
         let Place { level, cell, .. } = local.places[local.slot_of_owned[rows.start] as usize];
         self.candidates.clear();
         index.ranges_around::<D>(level, cell, |slots| self.candidates.push(local, slots));
@@ -207,6 +227,11 @@ impl<const D: usize> Block<D> {
             let start = self.entries.len();
             let centre = Centre { slot, position: position(slot), radius_squared: local.radius_squared[slot as usize] };
             self.candidates.filter(width, &centre, &mut self.entries);
+            let body = |slot: u32| ParticleId(local.places[slot as usize].id).body();
+            if rigid.get(body(slot)).is_some_and(|rigid| *rigid) {
+                let others = drop_body(&mut self.entries[start..], body(slot), body);
+                self.entries.truncate(start + others);
+            }
             let row = &self.entries[start..];
             let neighbours = row.len();
             let boundary = self.candidates.ghosts && row.iter().any(|&j| local.is_ghost[j as usize]);
@@ -214,6 +239,18 @@ impl<const D: usize> Block<D> {
             self.rows.push(Row { end: self.entries.len(), neighbours: neighbours as u32, boundary });
         }
     }
+}
+
+/// Moves the entries of other bodies to the front, in their order, and returns how many these are.
+fn drop_body(entries: &mut [u32], body: usize, body_of: impl Fn(u32) -> usize) -> usize {
+    let mut kept = 0;
+    for k in 0..entries.len() {
+        if body_of(entries[k]) != body {
+            entries[kept] = entries[k];
+            kept += 1;
+        }
+    }
+    kept
 }
 
 #[cfg(test)]

@@ -162,6 +162,9 @@ pub struct Summary {
     /// The pieces of a body, or of two that have collided.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fragments: Option<Fragments>,
+    /// Rigid bodies at the end, as in history.csv, and their masses.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rigid: Option<Figures>,
     /// The bodies written for an N-body program.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub nbody: Option<Figures>,

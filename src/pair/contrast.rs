@@ -10,9 +10,29 @@
 //! contact the same (Hu & Adams 2007, J. Comp. Phys. 227, 264); the shares of the strain are its counterpart in the energy, which
 //! stays constant to rounding. Equal densities have w = 1, the plain sums. As neighbours do not count alike, only the corrected gradient
 //! is exact for linear fields.
+//!
+//! A rigid body is the limit of infinite density. Its records hold [`RIGID`] times its density: of a pair with a deformable particle
+//! that one takes all the strain (w = 2), and the stress of the pair is twice its own, as if the body were its mirror image. In
+//! viscosity the density of the pair becomes 2 rho of the deformable particle; alpha c of the rigid one, which its record holds divided
+//! by [`RIGID`], drops out, so that p = rho (alpha c |mu| + 2 beta mu^2) with the other's rho, alpha and c. Between two rigid bodies
+//! the factors cancel in all but beta mu^2, which is left out there.
 
 use super::Pair;
 use crate::math::lanes::Lanes;
+
+/// Density of a rigid body's records over its own: a power of two, so that nothing is rounded.
+pub const RIGID: f64 = (1u128 << 80) as f64;
+/// No matter that deforms is as dense, kg/m^3.
+const DENSEST: f64 = 1e12;
+
+/// beta, but for pairs of rigid bodies, which have none.
+///
+/// # Safety
+/// As for [`Lanes`].
+#[inline(always)]
+pub unsafe fn beta_of<L: Lanes>(beta: L, rho_i: L, rho_j: L) -> L {
+    unsafe { beta.keep(rho_i.min(rho_j).less(L::splat(DENSEST))) }
+}
 
 /// w_i and w_j from rho_i and rho_j.
 ///

@@ -213,11 +213,9 @@ unsafe fn resist<L: Lanes, F: Form, const D: usize>(
             ViscousTerm::SameBeta => fixed.beta,
             ViscousTerm::OwnBeta => i.half(layout.beta()).add(j.half(layout.beta())).mul(L::splat(0.5)),
         };
-        let inputs = Inputs {
-            density: [i.half(layout.density()), j.half(layout.density())],
-            alpha_c: i.half(layout.alpha_c()).add(j.half(layout.alpha_c())),
-            beta,
-        };
+        let density = [i.half(layout.density()), j.half(layout.density())];
+        let beta = if F::TERMS.contrast() { contrast::beta_of(beta, density[0], density[1]) } else { beta };
+        let inputs = Inputs { density, alpha_c: i.half(layout.alpha_c()).add(j.half(layout.alpha_c())), beta };
         let out = viscous(pair, meeting.r2, &inputs);
         sums.approach = sums.approach.max(out.approach.keep(meeting.inside));
         Resistance { r_inverse: out.r_inverse, pressure: out.pressure }

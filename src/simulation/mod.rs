@@ -8,6 +8,7 @@ mod open;
 mod require;
 mod restart;
 pub mod results;
+mod rigid;
 pub mod run;
 pub mod scales;
 pub mod setup;

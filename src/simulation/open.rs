@@ -6,6 +6,7 @@ use super::collapse::Collapse;
 use super::footprint::Footprint;
 use super::restart;
 use super::results::{intrusion, probes, report, restitution, warnings};
+use super::rigid;
 use super::run::{Options, Products, Run};
 use super::setup::{self, Plan};
 use super::state::{Conservation, Restored, RunState, Spent};
@@ -142,12 +143,13 @@ fn plan_that_fits(scene: &Scene, comm: &Comm) -> Result<Plan> {
 /// history.csv with the columns of the scene; one that is there goes on. Collective.
 fn history<const D: usize>(scene: &Scene, options: &Options, stepper: &Stepper<D>, comm: &Comm) -> Result<History> {
     let settings = &stepper.settings;
-    let mut columns = report::history_columns(&settings.effects, settings.motions.is_some(), scene);
+    let mut columns = report::history_columns(&settings.effects, settings.prescribes_motion(), scene);
     columns.extend(probes::columns(scene, stepper.columns.registry.find::<f64>(DISTENTION).is_some()));
     let fall = intrusion::COLUMNS.iter().filter(|_| scene.intrusion.is_some());
     columns.extend(fall.map(|(name, unit)| (name.to_string(), unit.to_string())));
     let speed = scene.restitution.map(|_| restitution::COLUMN);
     columns.extend(speed.map(|(name, unit)| (name.to_string(), unit.to_string())));
+    columns.extend(rigid::columns(scene));
     let labels: Vec<(&str, &str)> = columns.iter().map(|(name, unit)| (name.as_str(), unit.as_str())).collect();
     let resumed = Some(stepper.state.step).filter(|&step| step > 0);
     History::open(&options.directory.join("history.csv"), &labels, resumed, comm)

@@ -28,13 +28,13 @@ pub fn crossing(scene: &Scene) -> f64 {
     2.0 * largest / sound_speed(scene, scene.impact.as_ref().map_or(0, |impact| impact.target))
 }
 
-/// Longitudinal speed of sound of a body at the start, m/s; rigid pores do not change that of the matrix.
+/// Longitudinal speed of sound of a body at the start, m/s; of a rigid body that of its contact.
 pub fn sound_speed(scene: &Scene, body: usize) -> f64 {
     let body = &scene.bodies[body];
-    let (material, density) = (&scene.materials[body.material], body.density * body.distention);
-    let (_, bulk) = material.eos.law().pressure(density, body.internal_energy);
-    let shear = material.moduli(density).map_or(0.0, |[_, shear]| shear);
-    (bulk * bulk + 4.0 / 3.0 * shear / density).sqrt()
+    match body.rigid {
+        Some(rigid) => rigid.sound_speed,
+        None => scene.materials[body.material].sound_speed(body.density * body.distention, body.internal_energy),
+    }
 }
 
 /// Time in which a ball of this density (kg/m^3) at rest and without support falls into its centre, s.

@@ -3,6 +3,7 @@
 
 use std::ops::Range;
 
+use super::rigid;
 use super::scales::free_fall_time_of;
 use crate::comparison::modes;
 use crate::domain::comm::Comm;
@@ -12,7 +13,8 @@ use crate::kernel::{CubicSpline, Shape};
 use crate::material::eos::INTERNAL_ENERGY;
 use crate::material::{self, BodyConstants, Core, MaterialEffect, ParticleView, Setup};
 use crate::math::{ExactSum, Vec3};
-use crate::motion::Motions;
+use crate::motion::rigid::RigidMatter;
+use crate::motion::{Motions, PrescribedMotion};
 use crate::pair::artificial_stress;
 use crate::pair::record::{PressureGradient, StressTerm, TensorGradient, ViscousTerm};
 use crate::pair::rows::Constants;
@@ -32,6 +34,7 @@ pub struct Plan {
     pub terms: Terms,
     pub constants: Vec<BodyConstants>,
     pub motions: Option<Motions>,
+    pub rigid: Option<RigidMatter>,
     pub gravity: Option<Attraction>,
 }
 
@@ -82,8 +85,7 @@ pub fn plan(scene: &Scene, constants: Vec<BodyConstants>) -> Result<Plan> {
 /// Where an effect needs a column or effect that is missing.
 pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare]) -> Result<Plan> {
     let mut registry = Registry::new(scene.dimension);
-    let body_material: Vec<usize> = scene.bodies.iter().map(|body| body.material).collect();
-    let initial_damage: Vec<f64> = scene.bodies.iter().map(|body| body.damage).collect();
+    let matter = rigid::matter(scene);
     let smoothing_length = match scene.numerics.smoothing_length {
         SmoothingLengthRule::Constant => None,
         SmoothingLengthRule::FollowsDensity { smallest, largest } => {
@@ -92,10 +94,10 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
     };
     let setup = Setup {
         dimension: scene.dimension,
-        materials: &scene.materials,
-        body_material: &body_material,
+        materials: &matter.materials,
+        body_material: &matter.of_body,
         constants: &constants,
-        initial_damage: &initial_damage,
+        initial_damage: &matter.damage,
         records: scene.record,
         smoothing_length,
     };
@@ -108,14 +110,20 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
     if scene.numerics.contact_viscosity {
         material::viscosity::declare_contact(&mut registry);
     }
-    let view = ParticleView::new(&setup, &registry, core);
-    let masses = constants.iter().map(|body| body.particle_mass).collect();
+    let mut view = ParticleView::new(&setup, &registry, core);
+    view.rigid = matter.rigid;
+    let masses: Vec<f64> = constants.iter().map(|body| body.particle_mass).collect();
     let motions = Motions::declare(
-        scene.bodies.iter().map(|body| body.motion).collect(),
+        scene
+            .bodies
+            .iter()
+            .map(|body| if body.rigid.is_some() { PrescribedMotion::Free } else { body.motion })
+            .collect(),
         scene.layers.iter().map(|layer| layer.motion).collect(),
-        masses,
+        masses.clone(),
         &mut registry,
     );
+    let rigid = RigidMatter::declare(rigid::starts(scene), masses, scene.periods, &mut registry, &core);
     let gravity = scene.gravity.any().then(|| Attraction {
         uniform: Vec3::from(scene.gravity.uniform.unwrap_or_default()),
         rounds: falls_round(scene).then(|| (gravity::declare_rounds(&mut registry), Vec3::from(scene.periods.length))),
@@ -129,7 +137,7 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
         Moments::declare(&mut registry);
     }
     let integrator = integrator(scene, &mut registry, &core);
-    Ok(Plan { registry, view, effects, integrator, terms, constants, motions, gravity })
+    Ok(Plan { registry, view, effects, integrator, terms, constants, motions, rigid, gravity })
 }
 
 /// Refuses what a scene says about heat where every law of its matter is cold: it would be lost, or never found.
@@ -169,7 +177,12 @@ fn terms(scene: &Scene, view: &ParticleView) -> Terms {
     let (corrected, contrast) = (numerics.corrected_gradient, numerics.density_contrast);
     // Pressure alone acts along the line between two particles.
     let angular_momentum = numerics.angular_momentum;
-    let tensor = artificial || scene.materials.iter().any(|m| m.has_strength());
+    // The strength of a material that only rigid bodies have does not count.
+    let deforms = |material: usize| {
+        let mut bodies = scene.bodies.iter().filter(|body| body.material == material).peekable();
+        bodies.peek().is_none() || bodies.any(|body| body.rigid.is_none())
+    };
+    let tensor = artificial || scene.materials.iter().enumerate().any(|(k, m)| m.has_strength() && deforms(k));
     let betas: Vec<f64> = (0..scene.bodies.len()).map(|body| view.material_viscosity(body).beta).collect();
     Terms {
         stress: match (tensor, corrected) {
@@ -222,6 +235,7 @@ impl Plan {
                 columns.set(core.id, i, ParticleId::new(number, site));
                 columns.set(core.position, i, Vec3::from(position));
                 let held = scene.layers.iter().position(|layer| layer.holds(body.whole(number), position));
+                let held = held.filter(|_| body.rigid.is_none());
                 let motion = held.map_or(body.motion, |layer| scene.layers[layer].motion);
                 let mut velocity = body.velocity_at(position);
                 if let Some((mode, speed)) = &mode {
@@ -233,7 +247,8 @@ impl Plan {
                     columns.set(layer, i, held.map_or(0.0, |layer| (layer + 1) as f64));
                 }
                 columns.set(core.density.value, i, body.density);
-                if let Some(damage) = damage.filter(|_| scene.materials[body.material].has_fracture()) {
+                let breaks = scene.materials[body.material].has_fracture() && body.rigid.is_none();
+                if let Some(damage) = damage.filter(|_| breaks) {
                     columns.set(damage, i, body.damage_at(position));
                 }
                 let mut energy = body.internal_energy;
@@ -274,6 +289,7 @@ impl Plan {
             effects: self.effects,
             integrator: self.integrator,
             motions: self.motions,
+            rigid: self.rigid,
             gravity: self.gravity,
             periods: scene.periods,
             pair_loop,

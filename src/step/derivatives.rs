@@ -8,6 +8,7 @@ use super::time_step::{self, Limit};
 use super::workspace::Workspace;
 use crate::material::{Local, LocalFlow};
 use crate::math::{Mat3, Sym};
+use crate::motion::rigid::RigidBody;
 use crate::motion::{DampingLimit, Moving};
 use crate::pair::record::half;
 use crate::pair::{Layout, RowSums, Rows, angular_momentum, correction};
@@ -22,6 +23,7 @@ pub struct Derivatives<'a> {
     pub registry: &'a Registry,
     pub chunk: &'a Chunk<'a>,
     pub moment: &'a Moment,
+    pub rigid: &'a [RigidBody],
 }
 
 impl Derivatives<'_> {
@@ -42,6 +44,7 @@ impl Derivatives<'_> {
             gravity.add(chunk, self.moment.gravity_age, self.registry.dimension, &workspace.rates);
         }
         let damping = self.constrain(workspace);
+        self.take_forces(workspace);
         let local = local(settings, chunk, workspace, 0.0);
         workspace.each_effect(&settings.effects, |effect| effect.rates(&local));
         let limit = self.step_limit(&local, workspace, damping);
@@ -76,9 +79,12 @@ impl Derivatives<'_> {
                 };
             }
             let heating = inverse_density * (work + 0.5 * sums.dissipation);
-            let velocity_gradient = match sums.neighbours {
-                0 => Mat3::from_diagonal_element(self.unloading(k, body)),
-                _ => corrected(layout, &raw, sums),
+            let velocity_gradient = match (sums.neighbours, self.settings.view.is_rigid(body)) {
+                (0, false) => Mat3::from_diagonal_element(self.unloading(k, body)),
+                (_, false) => corrected(layout, &raw, sums),
+                (0, true) => Mat3::from_diagonal_element(self.release(k, body)),
+                // Density then follows sum_j w_i V_j W_ij of other rigid bodies, whatever way they have come and gone.
+                (_, true) => raw,
             };
             workspace.flow[k] = LocalFlow { velocity_gradient, heating };
             workspace.found.pairs += sums.neighbours as u64;
@@ -98,6 +104,31 @@ impl Derivatives<'_> {
         let h = view.smoothing_length(self.chunk, k, body);
         let rate = pressure / (at(view.core.density.value) * c * h);
         rate.clamp(-0.1 / dt, 0.1 / dt) / self.registry.dimension as f64
+    }
+
+    /// The expansion, 1/s along each axis, by which a rigid body's particle that nothing touches returns to its own density, within the
+    /// time of sound through h, and some steps: what rounding and steps of finite length have left must not add up over many contacts. At
+    /// a rate that a short step does not change, as an error must shrink with the step.
+    fn release(&self, k: usize, body: usize) -> f64 {
+        let (view, dt) = (&self.settings.view, self.moment.dt);
+        let constants = &view.constants[body];
+        let strain = self.chunk.view(view.core.density.value).get(k) / constants.density - 1.0;
+        let c = self.settings.rigid.as_ref().map_or(0.0, |rigid| rigid.sound_speed(body));
+        if dt > 0.0 {
+            strain * (c / constants.smoothing_length).min(0.5 / dt) / self.registry.dimension as f64
+        } else {
+            0.0
+        }
+    }
+
+    /// Hands the forces on particles of rigid bodies to these.
+    fn take_forces(&self, workspace: &mut Workspace) {
+        let Some(rigid) = &self.settings.rigid else { return };
+        let Workspace { bodies, rates, loads, .. } = workspace;
+        match self.registry.dimension {
+            2 => rigid.take_forces::<2>(self.chunk, bodies, self.rigid, rates, loads),
+            _ => rigid.take_forces::<3>(self.chunk, bodies, self.rigid, rates, loads),
+        }
     }
 
     /// Applies the motion that the scene prescribes.

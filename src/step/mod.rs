@@ -17,6 +17,7 @@ pub mod packing;
 pub mod passes;
 pub mod phases;
 pub mod reduction;
+mod rigid;
 pub mod settings;
 pub mod stepper;
 pub mod time_step;

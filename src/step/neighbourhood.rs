@@ -66,7 +66,7 @@ impl<const D: usize> Neighbourhood<D> {
         let reach = SUPPORT * (1.0 + settings.skin);
         Self {
             decomposition: None,
-            list: NeighbourList::default(),
+            list: NeighbourList::new(&settings.view.rigid),
             imbalance_so_far: (0.0, 0),
             evaluations: 0,
             handles: Handles { id: core.id, position: core.position, build_position: core.build_position },

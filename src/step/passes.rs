@@ -4,6 +4,7 @@ use super::derivatives::{Derivatives, local};
 use super::settings::{Moment, StepSettings};
 use super::workspace::{VelocityRange, Workspace};
 use crate::material::{Late, Local, MaterialEffect};
+use crate::motion::rigid::RigidBody;
 use crate::pair::Rows;
 use crate::particles::{Chunk, Registry};
 
@@ -12,6 +13,8 @@ use crate::particles::{Chunk, Registry};
 pub struct Passes<'a> {
     pub settings: &'a StepSettings,
     pub registry: &'a Registry,
+    /// The rigid bodies at the moment of the stage.
+    pub rigid: &'a [RigidBody],
 }
 
 impl Passes<'_> {
@@ -36,13 +39,24 @@ impl Passes<'_> {
             integrator.advance(chunk, moment.stage, moment.dt);
         }
         self.fill_bodies(chunk, workspace);
+        if let Some(rigid) = self.settings.rigid.as_ref().filter(|_| share > 0.0) {
+            rigid.place(chunk, &workspace.bodies, self.rigid);
+        }
         self.settle(chunk, workspace, (!integrator.may_refuse()).then_some(moment.dt));
+    }
+
+    /// Sets the particles of rigid bodies to where these are.
+    pub fn place(&self, chunk: &Chunk, workspace: &mut Workspace) {
+        let Some(rigid) = &self.settings.rigid else { return };
+        self.fill_bodies(chunk, workspace);
+        rigid.place(chunk, &workspace.bodies, self.rigid);
     }
 
     /// Evaluates a chunk and hands its rates to the integrator, unless one of them is not finite.
     pub fn evaluate(&self, chunk: &Chunk, rows: &Rows, moment: &Moment, workspace: &mut Workspace) {
         self.fill_bodies(chunk, workspace);
-        let derivatives = Derivatives { settings: self.settings, registry: self.registry, chunk, moment };
+        let Self { settings, registry, rigid } = *self;
+        let derivatives = Derivatives { settings, registry, chunk, moment, rigid };
         if !derivatives.evaluate(rows, workspace) {
             return;
         }

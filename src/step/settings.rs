@@ -7,6 +7,7 @@ use super::pack::Packer;
 use crate::gravity::{Attraction, Timing};
 use crate::material::{MaterialEffect, ParticleView};
 use crate::motion::Motions;
+use crate::motion::rigid::{RigidBody, RigidMatter};
 use crate::pair::PairLoop;
 use crate::particles::Periods;
 
@@ -19,12 +20,21 @@ pub struct StepSettings {
     pub pair_loop: PairLoop,
     /// Where a scene prescribes how particles move.
     pub motions: Option<Motions>,
+    /// Where bodies are rigid.
+    pub rigid: Option<RigidMatter>,
     pub gravity: Option<Attraction>,
     pub periods: Periods,
     /// Courant number.
     pub cfl: f64,
     /// Skin of the neighbour lists over the support.
     pub skin: f64,
+}
+
+impl StepSettings {
+    /// Whether the scene prescribes how anything moves.
+    pub fn prescribes_motion(&self) -> bool {
+        self.motions.is_some() || self.rigid.as_ref().is_some_and(RigidMatter::are_guided)
+    }
 }
 
 /// The state that later steps depend on beside the columns, the same on every rank. Checkpoint, state hash and summary take it as
@@ -41,6 +51,9 @@ pub struct StepState {
     pub last: f64,
     /// When the particles' own gravity was evaluated.
     pub gravity: Timing,
+    /// The rigid bodies, where there are any.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub rigid: Vec<RigidBody>,
 }
 
 /// The moment of an evaluation.

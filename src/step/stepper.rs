@@ -20,6 +20,7 @@ use super::workspace::{Findings, Workspace};
 use crate::domain::comm::Comm;
 use crate::material::Core;
 use crate::material::eos::INTERNAL_ENERGY;
+use crate::motion::rigid::RigidBody;
 use crate::pair::Rows;
 use crate::particles::chunk::{Chunks, chunk_range};
 use crate::particles::{Chunk, Column, Columns, ParticleId};
@@ -63,7 +64,8 @@ pub struct Stepper<'c, const D: usize> {
 impl<'c, const D: usize> Stepper<'c, D> {
     /// Takes particles, distributed in any way; [`Stepper::start`] or [`Stepper::resume`] must follow.
     pub fn new(comm: &'c Comm, columns: Columns, settings: StepSettings) -> Self {
-        let workers = Workers::new(|| Workspace::new(&columns.registry, settings.effects.len()));
+        let rigid = settings.rigid.as_ref().map_or(0, |rigid| rigid.bodies.len());
+        let workers = Workers::new(|| Workspace::new(&columns.registry, settings.effects.len(), rigid));
         let internal_energy = columns.registry.find(INTERNAL_ENERGY);
         let neighbourhood = Neighbourhood::new(&columns.registry, &settings);
         Self {
@@ -87,6 +89,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
     pub fn start(&mut self) -> Result<(), Failure> {
         // Smoothing lengths, on which lists are based, may be set by an effect.
         self.find_chunks();
+        self.weigh_rigid();
         self.chunk_pass(|passes, chunk, workspace| passes.initialise(chunk, workspace));
         let found = self.collect();
         reduction::before_evaluation(&found, 0.0, 0, self.comm)?;
@@ -106,6 +109,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
     /// and the run can only continue from a checkpoint.
     pub fn step(&mut self, dt: f64, end: f64, signal: u32) -> Result<Stepped, Failure> {
         self.rebuild_released();
+        self.state.rigid.iter_mut().for_each(RigidBody::begin);
         let stages = self.settings.integrator.stages();
         // Evaluations at the beginning of a step are valid, however long the step will be.
         let at_start = stages.iter().take_while(|&&share| share == 0.0).count();
@@ -135,6 +139,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
                 }
                 self.counters.refused += 1;
                 self.chunk_pass(|passes, chunk, _| passes.settings.integrator.set_back(chunk));
+                self.state.rigid.iter_mut().for_each(RigidBody::set_back);
                 tried = next;
             }
         }
@@ -161,7 +166,8 @@ impl<'c, const D: usize> Stepper<'c, D> {
             reduction::before_evaluation(&self.collect(), 0.0, self.coming(), self.comm)?;
         }
         let next = self.next_step(reduced, most)?;
-        self.state = StepState { step: self.coming(), time, next, last: taken, gravity: self.state.gravity };
+        let (step, StepState { gravity, rigid, .. }) = (self.coming(), std::mem::take(&mut self.state));
+        self.state = StepState { step, time, next, last: taken, gravity, rigid };
         Ok(Stepped { taken, dt: next, signal: reduced.signal })
     }
 
@@ -182,6 +188,10 @@ impl<'c, const D: usize> Stepper<'c, D> {
     /// Moves particles to the moment of a stage, and builds their lists anew where these do not hold any more. Collective.
     fn move_to(&mut self, moment: &Moment, share: f64) -> Result<(), Failure> {
         let start = Instant::now();
+        if share > 0.0 {
+            let Self { state, settings, .. } = self;
+            state.rigid.iter_mut().for_each(|body| settings.integrator.advance_rigid(body, moment.stage, moment.dt));
+        }
         self.chunk_pass(|passes, chunk, workspace| passes.advance(chunk, moment, share, workspace));
         self.phases.add(Phase::Predict, start);
         let start = Instant::now();
@@ -212,6 +222,9 @@ impl<'c, const D: usize> Stepper<'c, D> {
     /// The next step, s: no longer than any particle allows, nor than `most`. Collective.
     fn next_step(&mut self, reduced: &Reduced, most: f64) -> Result<f64, Failure> {
         let mut dt = reduced.limit.min(most);
+        if dt == f64::INFINITY {
+            dt = self.longest_rigid_step();
+        }
         if most < reduced.limit {
             let limit = Limit { dt, reason: Limit::ERROR, id: ParticleId(0), position: [0.0; 3] };
             self.limit = self.limit.tighter(limit);
@@ -231,7 +244,11 @@ impl<'c, const D: usize> Stepper<'c, D> {
     pub fn totals(&mut self) -> Totals {
         let start = Instant::now();
         let age = self.state.gravity.age.unwrap_or(0.0);
-        let totals = diagnostics::totals(&self.columns, &self.settings, age, self.comm);
+        let mut totals = diagnostics::totals(&self.columns, &self.settings, age, self.comm);
+        for body in &self.state.rigid {
+            totals.work += body.motion.work;
+            totals.impulse += body.motion.impulse;
+        }
         self.phases.add(Phase::Diagnostics, start);
         totals
     }
@@ -269,7 +286,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
 
     pub(super) fn chunk_pass(&mut self, work: impl Fn(&Passes, &Chunk, &mut Workspace) + Sync) {
         let (registry, count) = (Arc::clone(&self.columns.registry), self.columns.len());
-        let passes = Passes { settings: &self.settings, registry: &registry };
+        let passes = Passes { settings: &self.settings, registry: &registry, rigid: &self.state.rigid };
         let chunks = Chunks::new(&mut self.columns, std::mem::take(&mut self.pointers));
         self.workers.each(&self.buffers.all, |chunk, workspace| {
             // SAFETY: each chunk is worked on once per pass, and chunks do not overlap.
@@ -331,12 +348,16 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let start = Instant::now();
         let reduced = reduction::after_evaluation::<D>(&self.found, signal, self.coming(), self.comm);
         self.phases.add(Phase::Reduce, start);
-        reduced
+        let mut reduced = reduced?;
+        if self.settings.rigid.is_some() {
+            self.take_rigid(moment, &mut reduced);
+        }
+        Ok(reduced)
     }
 
     fn evaluate_chunks(&mut self, items: &[u32], moment: &Moment) {
         let (registry, count) = (Arc::clone(&self.columns.registry), self.columns.len());
-        let passes = Passes { settings: &self.settings, registry: &registry };
+        let passes = Passes { settings: &self.settings, registry: &registry, rigid: &self.state.rigid };
         let rows = Rows {
             records: bytemuck::cast_slice(&self.buffers.records),
             offsets: &self.neighbourhood.list.offsets,

@@ -8,6 +8,7 @@ use super::integrator::StepError;
 use super::time_step::Limit;
 use crate::material::{LocalFlow, MaterialEffect};
 use crate::math::Mat3;
+use crate::motion::rigid::LoadSums;
 use crate::pair::RowSums;
 use crate::particles::chunk::CHUNK;
 use crate::particles::{Rates, Registry};
@@ -19,6 +20,8 @@ pub struct Workspace {
     pub bodies: Vec<u16>,
     pub rates: Rates,
     pub watched: Watched,
+    /// Forces on each rigid body since they were taken last.
+    pub loads: Vec<LoadSums>,
     /// Findings since the last [`Workspace::take`].
     pub found: Findings,
     /// Time spent in each effect so far.
@@ -59,7 +62,7 @@ impl Findings {
 }
 
 impl Workspace {
-    pub fn new(registry: &Registry, effects: usize) -> Self {
+    pub fn new(registry: &Registry, effects: usize, rigid: usize) -> Self {
         let flow = LocalFlow { velocity_gradient: Mat3::zeros(), heating: 0.0 };
         Self {
             sums: vec![RowSums::default(); CHUNK],
@@ -67,6 +70,7 @@ impl Workspace {
             bodies: vec![0; CHUNK],
             rates: Rates::new(registry),
             watched: Watched::new(registry),
+            loads: vec![LoadSums::default(); rigid],
             found: Findings::nothing(),
             effects: vec![Cell::default(); effects],
         }

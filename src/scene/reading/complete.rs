@@ -5,6 +5,7 @@ use super::bodies::BodyContext;
 use super::tables::{DIMENSIONS, SceneTables};
 use crate::material::MaterialTable;
 use crate::scene::document::source::Document;
+use crate::scene::tables::body::rigid::Speeds;
 use crate::scene::tables::body::table::BodyTable;
 use crate::scene::tables::impacts::refine::RefineTable;
 use crate::scene::tables::numerics::Matter;
@@ -19,9 +20,13 @@ pub fn complete(document: &Document, tables: &SceneTables) -> SceneTables {
     let complete = |(number, body): (usize, &BodyTable)| {
         body.complete(dimension, projectile == Some(number), tables.material.get(&body.material))
     };
-    let body: Vec<BodyTable> = tables.body.iter().enumerate().map(complete).collect();
+    let mut body: Vec<BodyTable> = tables.body.iter().enumerate().map(complete).collect();
+    complete_rigid(document, tables, &mut body);
     let solid = tables.material.values().any(MaterialTable::has_strength);
-    let numerics = tables.numerics.complete(dimension, Matter { solid, contrast: contrast(&body) });
+    let numerics = tables.numerics.complete(
+        dimension,
+        Matter { solid, contrast: contrast(&body), rigid: body.iter().any(|body| body.rigid().is_some()) },
+    );
     let run = tables.run.complete(impact.is_some());
     let mut complete = SceneTables { impact, body, numerics, run, ..tables.clone() };
     if let Some(refine) = refined(document, &complete)
@@ -30,6 +35,41 @@ pub fn complete(document: &Document, tables: &SceneTables) -> SceneTables {
         impact.refine = Some(Switch(Some(refine)));
     }
     complete
+}
+
+/// What the tables of rigid bodies say where they say nothing.
+fn complete_rigid(document: &Document, tables: &SceneTables, bodies: &mut [BodyTable]) {
+    if bodies.iter().all(|body| body.rigid().is_none()) {
+        return;
+    }
+    let sound = bodies.iter().filter(|body| body.rigid().is_none()).filter_map(|body| {
+        let (material, density) = (tables.material.get(&body.material)?, body.density?);
+        let energy = body.internal_energy.unwrap_or_default();
+        Some(material.sound_speed(density.0 * body.distention.map_or(1.0, |distention| distention.0), energy.0))
+    });
+    let sound = sound.fold(0.0, f64::max);
+    let speeds = Speeds { sound, motion: fastest_motion(document, tables, bodies) };
+    for body in bodies {
+        if let Some(rigid) = body.rigid() {
+            body.rigid = Some(Switch(Some(rigid.complete(speeds, body.motion.is_some()))));
+        }
+    }
+}
+
+/// A bound on how fast bodies move in a scene where none deforms, m/s: at the start, or after a fall through all of it.
+fn fastest_motion(document: &Document, tables: &SceneTables, bodies: &[BodyTable]) -> f64 {
+    let length = |numbers: &mut dyn Iterator<Item = f64>| numbers.map(|x| x * x).sum::<f64>().sqrt();
+    let (mut fastest, mut farthest) = (tables.impact.as_ref().map_or(0.0, |impact| impact.speed.0), 0.0f64);
+    for body in bodies {
+        let shape = body.shape.validate(document, "", tables.dimension as usize);
+        let radius = shape.map_or(0.0, |shape| shape.outer_radius());
+        let speed = body.velocity.iter().chain(body.prescribed_velocity()).flat_map(|v| &v.0).map(|v| v.0);
+        let spin = body.spin.iter().flat_map(|w| &w.0).map(|w| w.0);
+        fastest = fastest.max(length(&mut { speed }) + length(&mut { spin }) * radius);
+        farthest = farthest.max(length(&mut body.position.iter().flat_map(|x| &x.0).map(|x| x.0)) + radius);
+    }
+    let gravity = tables.gravity.as_ref().map_or(0.0, |gravity| length(&mut gravity.uniform_components()));
+    (fastest * fastest + 4.0 * gravity * farthest).sqrt()
 }
 
 /// Density of the densest body over that of the lightest.

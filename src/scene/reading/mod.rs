@@ -6,5 +6,6 @@ mod complete;
 mod curves;
 mod library;
 pub mod read;
+mod rigid;
 pub mod tables;
 mod validate;

@@ -2,6 +2,7 @@
 
 use super::bodies::BodyContext;
 use super::checks::{self, Space};
+use super::rigid;
 use super::tables::{DIMENSIONS, SceneTables};
 use crate::error::{Error, Result};
 use crate::material::MaterialTable;
@@ -36,6 +37,7 @@ pub fn validate(document: &Document, tables: &SceneTables) -> Result<Scene> {
     let space = Space { materials: &materials, gravity: &gravity, periods: &periods };
     checks::check_initial_states(document, &bodies, &space)?;
     checks::check_overlaps(document, &bodies)?;
+    rigid::check(document, tables, &bodies, &periods, &numerics)?;
     checks::check_periods(document, &periods, &bodies, &numerics)?;
     let layers = (0..).zip(&tables.layer).map(|(number, layer)| layer.validate(document, number, &bodies, &periods));
     let layers = layers.collect::<Result<Vec<_>>>()?;

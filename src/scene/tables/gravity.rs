@@ -69,6 +69,11 @@ impl GravitySettings {
 }
 
 impl GravityTable {
+    /// Components of uniform gravity, m/s^2.
+    pub fn uniform_components(&self) -> impl Iterator<Item = f64> + '_ {
+        self.uniform.iter().flat_map(|uniform| &uniform.0).map(|g| g.0)
+    }
+
     pub fn validate(&self, document: &Document, dimension: usize, periods: &Periods) -> Result<GravitySettings> {
         if self.uniform.is_none() && self.own.0.is_none() {
             return Err(document.error("gravity", "nothing attracts").allowed("a key `uniform` or `self`"));

@@ -45,7 +45,8 @@ pub struct NumericsTable {
     angular_momentum: Option<bool>,
     /// For iron into ice, air or vapour beside rock: of two particles the light one gives way and the heavy one stands, instead of both
     /// alike; needs the corrected gradient. Without it, on where a material has `strength` and the densities of two bodies differ more than
-    /// twofold, and, with the corrected gradient, wherever they differ more than a hundredfold.
+    /// twofold, and, with the corrected gradient, wherever they differ more than a hundredfold. A
+    /// `rigid` body needs it.
     density_contrast: Option<bool>,
     /// Against single particles of a stiff body that oscillate across its surface until they shoot into soft matter (cannonballs): what is
     /// in touch with matter of a larger `alpha` of viscosity has that alpha in all of its pairs.
@@ -323,15 +324,18 @@ pub struct Matter {
     pub solid: bool,
     /// Density of the densest body over that of the lightest.
     pub contrast: f64,
+    /// Whether any body is rigid.
+    pub rigid: bool,
 }
 
 impl NumericsTable {
     /// The table with eta for a number of neighbours, and what is right for the scene's matter.
-    pub fn complete(&self, dimension: usize, Matter { solid, contrast }: Matter) -> Self {
+    pub fn complete(&self, dimension: usize, Matter { solid, contrast, rigid }: Matter) -> Self {
         let mut complete = self.clone();
         complete.complete_eta(dimension);
         // In a scene that is not solid the contrast brings the corrected gradient with it.
-        let wanted = contrast > if solid { ALIKE } else { APART } && self.density_contrast != Some(false);
+        let unlike = rigid || contrast > if solid { ALIKE } else { APART };
+        let wanted = unlike && self.density_contrast != Some(false);
         let corrected = *complete.corrected_gradient.get_or_insert(solid || wanted);
         // Beside artificial stress it costs rubber its rebound: thin walls in tension lose particles.
         complete.angular_momentum.get_or_insert(solid && corrected && self.artificial_stress.0.is_none());

@@ -11,6 +11,7 @@ use crate::output::{Cell, CheckpointMeta, Snapshot, Storage, checkpoint, snapsho
 use crate::process::resources;
 use crate::scene::{Precision, Snapshots};
 use crate::simulation::due::Due;
+use crate::simulation::rigid;
 use crate::simulation::run::Run;
 use crate::simulation::state::{Saved, Spent};
 use crate::step::phases::Phase;
@@ -18,11 +19,12 @@ use crate::step::phases::Phase;
 impl<const D: usize> Run<'_, D> {
     pub(in crate::simulation) fn write_history(&mut self) {
         self.limit = self.stepper.tightest_limit();
-        let held = self.stepper.settings.motions.is_some();
+        let held = self.stepper.settings.prescribes_motion();
         let mut cells = report::history_row(&self.stepper.state, &self.totals, &self.limit, held, D == 2);
         cells.extend(probes::row(self.scene, &self.stepper, self.comm).into_iter().map(Cell::Real));
         cells.extend(self.fall_row().into_iter().map(Cell::Real));
         cells.extend(self.state.bounce.as_ref().map(|bounce| Cell::Real(bounce.after())));
+        cells.extend(rigid::row(&self.stepper.state.rigid, D).into_iter().map(Cell::Real));
         tracing::debug!("{}", self.describe());
         // Rank 0 writes; where it fails, all ranks learn of it with the next step.
         if let Err(error) = self.history.row(&cells) {
@@ -35,7 +37,9 @@ impl<const D: usize> Run<'_, D> {
         let (columns, settings) = (&self.stepper.columns, &self.stepper.settings);
         let materials = self.scene.bodies.iter().map(|body| &self.scene.materials[body.material]);
         let vapour = Vapour::new(&columns.registry, &settings.view.core, materials);
-        let damage = |i, body| vapour.damage(columns, i, body, settings.view.damage(columns, i, body));
+        // A rigid body is one piece.
+        let broken = |i, body| if settings.view.is_rigid(body) { 0.0 } else { settings.view.damage(columns, i, body) };
+        let damage = |i, body| vapour.damage(columns, i, body, broken(i, body));
         let whole: Vec<usize> = self.scene.bodies.iter().enumerate().map(|(n, body)| body.whole(n)).collect();
         outcome::particles(columns, &settings.view.core, &settings.view.constants, &whole, damage)
     }

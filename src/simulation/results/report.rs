@@ -127,7 +127,7 @@ fn plane_of_fall(scene: &Scene) -> Option<Plane> {
 
 /// Whether angular momentum is conserved: not with walls, periodic axes or uniform gravity.
 pub fn turns_freely<const D: usize>(scene: &Scene, stepper: &Stepper<D>) -> bool {
-    stepper.settings.motions.is_none() && !scene.periods.any() && scene.gravity.uniform.is_none()
+    !stepper.settings.prescribes_motion() && !scene.periods.any() && scene.gravity.uniform.is_none()
 }
 
 /// The input of a summary.

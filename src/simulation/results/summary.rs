@@ -11,7 +11,7 @@ use crate::output::summary::{Figures, Remnants};
 use crate::output::{Summary, state_hash};
 use crate::process::resources;
 use crate::scene::Scene;
-use crate::simulation::late;
+use crate::simulation::{late, rigid};
 use crate::step::Stepper;
 use crate::step::phases::{NAMES, Phase};
 use crate::warning;
@@ -77,6 +77,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         intrusion: state.intrusion.as_ref().map(|fall| intrusion::figures(fall, report.scene)),
         restitution: state.bounce.as_ref().map(restitution::figures),
         fragments: report.fragments.clone(),
+        rigid: rigid::figures(report.scene, &stepper.state.rigid),
         nbody: report.nbody.clone(),
         threshold: None,
         accuracy: report.accuracy.cloned(),
@@ -89,7 +90,9 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
 
 /// Whether energy is accounted for: cold matter does not record what it takes up.
 fn has_balance(scene: &Scene) -> bool {
-    scene.bodies.iter().all(|body| !scene.materials[body.material].eos.law().is_cold())
+    let mut deforming = scene.bodies.iter().filter(|body| body.rigid.is_none()).peekable();
+    // What rigid bodies take up by their contact is cold, too, and recorded where others have heat.
+    deforming.peek().is_some() && deforming.all(|body| !scene.materials[body.material].eos.law().is_cold())
 }
 
 /// What became of each body.

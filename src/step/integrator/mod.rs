@@ -22,6 +22,7 @@ pub mod runge_kutta;
 
 use crate::material::Core;
 use crate::math::Vec3;
+use crate::motion::rigid::{RigidBody, RigidRates};
 use crate::particles::{Chunk, Column, Rates, Registry};
 pub use predictor_corrector::PredictorCorrector;
 pub use runge_kutta::RungeKutta;
@@ -42,6 +43,12 @@ pub trait Integrator: Send + Sync {
 
     /// Sets a chunk back to the beginning of the step.
     fn set_back(&self, _chunk: &Chunk) {}
+
+    /// Moves a rigid body to the moment of a stage that is not at the step's beginning, as [`Integrator::advance`] moves particles.
+    fn advance_rigid(&self, body: &mut RigidBody, stage: usize, dt: f64);
+
+    /// Takes the rates of a rigid body at a stage, as [`Integrator::take`] does those of particles. Setting back is the body's own.
+    fn take_rigid(&self, body: &mut RigidBody, rates: &RigidRates, stage: usize, dt: f64) -> StepError;
 
     /// Accepts or refuses a step of `dt` seconds with this error; `speed`: the largest relative velocity of any two particles, m/s.
     fn judge(&self, _error: &StepError, _speed: f64, _dt: f64) -> Verdict {

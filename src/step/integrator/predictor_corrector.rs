@@ -21,6 +21,7 @@ use std::cell::Cell;
 use super::{Integrator, Moved, StepError, add};
 use crate::material::Core;
 use crate::math::Vec3;
+use crate::motion::rigid::{RigidBody, RigidRates};
 use crate::particles::{Chunk, Column, ColumnInfo, Life, Rates, Registry};
 
 pub struct PredictorCorrector {
@@ -87,6 +88,33 @@ impl Integrator for PredictorCorrector {
                 correct(q, rate, f64::from_bits(new.get()));
             }
         }
+        StepError::default()
+    }
+
+    fn advance_rigid(&self, body: &mut RigidBody, _stage: usize, dt: f64) {
+        let RigidRates { acceleration, torque, power, push, .. } = body.rates;
+        let [jerk, twist] = body.slope.map(Vec3::from);
+        // By torque and its slope, like the rest; positions and orientation are not corrected.
+        body.turn(dt);
+        let motion = &mut body.motion;
+        motion.centre += motion.velocity * dt + acceleration * (0.5 * dt * dt);
+        motion.velocity += acceleration * dt + jerk * (0.5 * dt * dt);
+        motion.angular_momentum += torque * dt + twist * (0.5 * dt * dt);
+        motion.work += power * dt;
+        motion.impulse += push * dt;
+    }
+
+    fn take_rigid(&self, body: &mut RigidBody, rates: &RigidRates, _stage: usize, dt: f64) -> StepError {
+        let (half, by_step) = (0.5 * dt, if dt > 0.0 { 1.0 / dt } else { 0.0 });
+        let [jerk, twist] = body.slope.map(Vec3::from);
+        let changes = [rates.acceleration - body.rates.acceleration, rates.torque - body.rates.torque];
+        let motion = &mut body.motion;
+        motion.velocity += changes[0] * half - jerk * (half * dt);
+        motion.angular_momentum += changes[1] * half - twist * (half * dt);
+        motion.work += half * (rates.power - body.rates.power);
+        motion.impulse += (rates.push - body.rates.push) * half;
+        body.slope = changes.map(|change| (change * by_step).into());
+        body.rates = *rates;
         StepError::default()
     }
 }

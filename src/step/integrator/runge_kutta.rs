@@ -19,6 +19,7 @@ use std::cell::Cell;
 
 use super::{Integrator, Moved, StepError, Verdict, add};
 use crate::material::Core;
+use crate::motion::rigid::{RigidBody, RigidRates};
 use crate::particles::{Chunk, Column, Life, Rates, Registry};
 
 /// Next step over the one that the error would just allow.
@@ -149,6 +150,20 @@ impl Integrator for RungeKutta {
         for &(state, copy) in &self.copies {
             chunk.words(state).iter().zip(chunk.words(copy)).for_each(|(state, copy)| state.set(copy.get()));
         }
+    }
+
+    fn advance_rigid(&self, body: &mut RigidBody, _stage: usize, dt: f64) {
+        body.move_by(&[1.0], dt);
+    }
+
+    fn take_rigid(&self, body: &mut RigidBody, rates: &RigidRates, stage: usize, dt: f64) -> StepError {
+        body.keep(rates, stage);
+        if stage == 0 {
+            return StepError::default();
+        }
+        let off = body.velocity_by(&[-0.5, 0.5], dt);
+        body.move_by(&[0.5, 0.5], dt);
+        StepError { velocity: off, density: 0.0 }
     }
 
     fn judge(&self, error: &StepError, speed: f64, dt: f64) -> Verdict {

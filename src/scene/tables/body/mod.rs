@@ -5,6 +5,7 @@ pub mod blocks;
 mod filling;
 pub mod flow;
 pub mod reader;
+pub mod rigid;
 pub mod shape;
 pub mod table;
 pub mod validated;

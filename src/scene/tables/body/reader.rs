@@ -3,6 +3,7 @@
 use super::blast::Blast;
 use super::filling::Filling;
 use super::flow::Flow;
+use super::rigid::Rigid;
 use super::table::{BodyTable, DAMAGE, Spacing};
 use super::validated::Body;
 use crate::error::{Error, Result};
@@ -58,6 +59,7 @@ impl BodyReader<'_> {
             density,
             distention,
             motion: PrescribedMotion::Free,
+            rigid: self.rigid(raw, material.1)?,
             flow: self.flow(raw)?,
             blast: self.blast(raw)?,
             rubble,
@@ -122,6 +124,10 @@ impl BodyReader<'_> {
             None => Ok(PrescribedMotion::Free),
             Some(motion) => motion.validate(self.document, &path, self.dimension, velocity),
         }
+    }
+
+    fn rigid(&self, raw: &BodyTable, material: &MaterialTable) -> Result<Option<Rigid>> {
+        raw.rigid().map(|rigid| rigid.validate(self.document, &self.path, raw, material)).transpose()
     }
 
     fn flow(&self, raw: &BodyTable) -> Result<Option<Flow>> {

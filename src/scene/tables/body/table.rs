@@ -6,12 +6,14 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use super::blast::BlastTable;
 use super::blocks::{JointsTable, RubbleTable};
 use super::flow::FlowTable;
+use super::rigid::RigidTable;
 use super::shape::ShapeTable;
 use crate::material::MaterialTable;
 use crate::scene::geometry::lattice::LatticeKind;
 use crate::scene::tables::motion::MotionTable;
 use crate::scene::values::checks::{POSITIVE, Range};
 use crate::scene::values::components::Components;
+use crate::scene::values::switch::Switch;
 use crate::scene::values::word::{self, word_or, word_schema};
 use crate::units::{Angle, Density, Frequency, Length, Number, Pressure, SpecificEnergy, Speed};
 
@@ -76,6 +78,8 @@ pub struct BodyTable {
     pub pressure: Option<Pressure>,
     /// How the whole body moves whatever the forces; freely without it.
     pub motion: Option<MotionTable>,
+    /// The body does not deform: all of it moves as one, and it stands for whatever hits it. `true`, or a table.
+    pub rigid: Option<Switch<RigidTable>>,
     /// A field of velocity at the start, around the body's centre and added to `velocity`.
     pub flow: Option<FlowTable>,
     /// Heat in the middle at the start.
@@ -171,6 +175,19 @@ impl BodyTable {
             complete.complete_state(material);
         }
         complete
+    }
+
+    /// The velocity that its motion prescribes.
+    pub fn prescribed_velocity(&self) -> Option<&Components<Speed>> {
+        match &self.motion {
+            Some(MotionTable::Velocity(velocity)) => Some(velocity),
+            _ => None,
+        }
+    }
+
+    /// The table of a rigid body.
+    pub fn rigid(&self) -> Option<RigidTable> {
+        self.rigid.and_then(|rigid| rigid.0)
     }
 
     /// What the material says of damage, pores, density and energy.

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::blast::Blast;
 use super::filling::{COUNTED, is_filled};
 use super::flow::Flow;
+use super::rigid::Rigid;
 use super::table::InitialState;
 use crate::material::BodyConstants;
 use crate::motion::PrescribedMotion;
@@ -40,6 +41,7 @@ pub struct Body {
     /// Distention at the start, 1 without pores.
     pub distention: f64,
     pub motion: PrescribedMotion,
+    pub rigid: Option<Rigid>,
     pub flow: Option<Flow>,
     pub blast: Option<Blast>,
     pub rubble: Option<Rubble>,

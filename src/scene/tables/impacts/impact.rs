@@ -29,7 +29,7 @@ use crate::units::{Angle, Speed};
 pub struct ImpactTable {
     /// Speed at contact; bodies start one kernel support apart.
     #[schemars(extend("x-allowed" = POSITIVE))]
-    speed: Speed,
+    pub speed: Speed,
     /// Angle from the normal; 0 is head-on.
     #[serde(default)]
     #[schemars(extend("x-allowed" = ANGLES))]
@@ -39,7 +39,7 @@ pub struct ImpactTable {
     angle_at: AngleAt,
     /// Name of the body that is hit.
     #[schemars(extend("x-default" = "the first body"))]
-    target: Option<String>,
+    pub target: Option<String>,
     /// Name of the body that hits it.
     #[schemars(extend("x-default" = "the second body"))]
     projectile: Option<String>,

@@ -21,7 +21,7 @@ use crate::units::Length;
 #[serde(deny_unknown_fields)]
 pub struct LayerTable {
     /// Name of a body; all bodies without it.
-    body: Option<String>,
+    pub body: Option<String>,
     /// Lower and upper end along x; everywhere without it.
     x: Option<Interval>,
     /// Lower and upper end along y; everywhere without it.
