@@ -65,17 +65,39 @@ fn in_order(disc: &ByHand<2>) -> Vec<f64> {
     found.into_iter().flat_map(|(_, v)| v).collect()
 }
 
-/// Half the step, a 32nd of the error, down to rounding.
+/// Half the step, a 32nd of the error.
 #[test]
 fn cash_karp_is_of_fifth_order() {
     ranks(1, "integrators::cash_karp_is_of_fifth_order", |comm| {
         for more in [&[WITH_TORQUE][..], &[]] {
             let run = |steps: u32| velocities_with(&[&[CASH_KARP], more].concat(), steps, comm);
-            let exact = run(1600);
-            let errors = [25, 50, 100, 200, 400].map(|steps| distance(&run(steps), &exact));
+            let exact = run(800);
+            let errors = [10, 20, 40, 80].map(|steps| distance(&run(steps), &exact));
             let orders: Vec<f64> = errors.windows(2).map(|pair| (pair[0] / pair[1]).log2()).collect();
-            println!("{more:?}: errors {errors:.3?} m/s, orders {orders:.3?}");
+            println!("{more:?}: errors {:?} m/s, orders {orders:.3?}", errors.map(|error| format!("{error:.2e}")));
+            // Beyond, rounding is seen, or else the second order of the moments, far below what any other integrator reaches.
+            let least = if more.is_empty() { [4.0, 1.9] } else { [4.8, 4.8] };
+            assert!(orders[0] > least[0] && orders[1] > least[1] && orders[0] < 5.5, "{more:?}: {orders:?}");
+            assert!(errors[0] < 1e-5, "{more:?}: {errors:?}, of 1 m/s");
         }
+    });
+}
+
+/// Twenty periods without viscosity: what a step amplifies, however little, would have grown out of all bounds.
+#[test]
+fn cash_karp_is_stable_at_a_courant_number_of_one() {
+    ranks(1, "integrators::cash_karp_is_stable_at_a_courant_number_of_one", |comm| {
+        let drift = |integrator: &str| {
+            let mut disc = ByHand::<2>::with(DISC, &[integrator], comm, |_, _, _| {});
+            let first = disc.stepper.totals();
+            disc.run(40.0 * END, |_| {});
+            let last = disc.stepper.totals();
+            (last.balance() - first.balance()).abs() / first.kinetic
+        };
+        let [cash_karp, other] = [CASH_KARP, PREDICTOR_CORRECTOR].map(drift);
+        println!("drift of energy: {cash_karp:e}, by the predictor-corrector {other:e}");
+        assert!(cash_karp < 1e-3, "{cash_karp:e}");
+        assert!(!(other < 1.0), "{other:e}: not a step that is too long for the predictor-corrector");
     });
 }
 
@@ -195,9 +217,9 @@ fn refused_steps_of_cash_karp_have_the_same_bits_on_any_ranks() {
     let dir = tempfile::tempdir().expect("a temporary directory");
     Launch::in_directory(1, dir.path(), porous_balls!(""), &[]).run().expect_code(0);
     let expected = common_summary(&dir.path().join("run"));
-    for figure in ["compacted_volume", "crushed_volume", "damaged_fraction"] {
-        let [found, expected] =
-            [&found, &expected].map(|summary| summary["outcome"][figure].as_f64().unwrap_or_else(|| panic!("{figure}: {summary}")));
+    for figure in ["compacted_volume", "damaged_fraction"] {
+        let [found, expected] = [&found, &expected]
+            .map(|summary| summary["outcome"][figure].as_f64().unwrap_or_else(|| panic!("{figure}: {summary}")));
         println!("{figure}: {found:.5e}, by the predictor-corrector {expected:.5e}");
         assert!((found / expected - 1.0).abs() < 0.03, "{figure}: {found} and {expected}");
     }
@@ -238,6 +260,9 @@ uniform = ["1e4 m/s^2", 0]
 cfl = 0.5
 integrator = { cash_karp = { tolerance = 1e-4 } }
 
+[record]
+peak_pressure = true
+
 [run]
 until = "4 ms"
 
@@ -265,7 +290,8 @@ fn cash_karp_goes_round_periods() {
 fn cash_karp_controls_each_quantity() {
     ranks(1, "integrators::cash_karp_controls_each_quantity", |comm| {
         let steps = |tolerances: &str| {
-            let integrator = format!("numerics.integrator={{ cash_karp = {{ tolerance = 1, tolerances = {{ {tolerances} }} }} }}");
+            let integrator =
+                format!("numerics.integrator={{ cash_karp = {{ tolerance = 1, tolerances = {{ {tolerances} }} }} }}");
             let mut disc = ByHand::<2>::with(DISC, &[&integrator], comm, |_, _, _| {});
             disc.run(END, |_| {});
             disc.steps()
@@ -276,9 +302,10 @@ fn cash_karp_controls_each_quantity() {
             println!("{name}: {controlled:?} steps instead of {free}");
             assert!(controlled[1] > free, "{name}: {controlled:?}, {free}");
         }
-        let wrong = "numerics.integrator={ cash_karp = { tolerances = { damage = 1e-3 } } }";
-        let scene = Scene::parse("scene.toml", DISC, &[wrong.to_string()]).expect("a scene");
-        let error = setup::plan(&scene, setup::count_particles(&scene, comm).expect("particles")).err().expect("an error");
+        let wrong = DISC.replace("cfl = 1", "integrator = { cash_karp = { tolerances = { damage = 1e-3 } } }");
+        let scene = Scene::parse("scene.toml", &wrong, &[]).expect("a scene");
+        let error =
+            setup::plan(&scene, setup::count_particles(&scene, comm).expect("particles")).err().expect("an error");
         let text = error.to_string();
         assert!(text.contains("tolerances.damage") && text.contains("deviatoric_stress"), "{text}");
     });
@@ -297,6 +324,12 @@ fn cash_karp_follows_the_tolerated_error() {
         };
         let found = [1e-6, 1e-8, 1e-10].map(run);
         println!("steps, refused, error in m/s: {found:?}");
+        for pair in found.windows(2) {
+            let (ratio, gain) = (pair[1].0 as f64 / pair[0].0 as f64, pair[0].2 / pair[1].2);
+            assert!(pair[1].1 >= 1, "the first step, of the Courant condition, is too long");
+            assert!((2.1..3.0).contains(&ratio), "{ratio} times as many steps for a hundredth of the error");
+            assert!((50.0..500.0).contains(&gain), "{gain} times less error");
+        }
     });
 }
 
@@ -334,10 +367,7 @@ fn cash_karp_judges_the_worst_quantity() {
 #[test]
 fn cash_karp_lets_matter_rest() {
     ranks(1, "integrators::cash_karp_lets_matter_rest", |comm| {
-        let still = [
-            "numerics.integrator={ cash_karp = { tolerance = 1e-9 } }",
-            "disc.flow.mode.speed=\"1e-12 m/s\"",
-        ];
+        let still = ["numerics.integrator={ cash_karp = { tolerance = 1e-9 } }", "disc.flow.mode.speed=\"1e-12 m/s\""];
         let mut disc = ByHand::<2>::with(DISC, &still, comm, |_, _, _| {});
         disc.run(END, |_| {});
         println!("{} steps, {} refused", disc.steps(), disc.stepper.counters.refused);

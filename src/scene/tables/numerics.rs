@@ -1,13 +1,13 @@
 //! `[numerics]`: how the sums are made. Every key has a default; what costs something is off until asked for.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use super::integrator::{IntegratorRule, IntegratorTable};
 use crate::error::Result;
 use crate::kernel::{Kernel, SUPPORT};
 use crate::scene::document::source::Document;
@@ -57,115 +57,11 @@ pub struct NumericsTable {
     integrator: IntegratorTable,
 }
 
-/// `"predictor_corrector"`, or a table.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum IntegratorTable {
-    /// Second order, one evaluation per step.
-    #[default]
-    PredictorCorrector,
-    /// Second order, two evaluations per step; a step whose error is too large is made again, shorter.
-    RungeKutta(RungeKuttaTable),
-    /// Fifth order, six evaluations per step; a step in which the error of any quantity is too large is made again, shorter. With
-    /// `cfl = 1` vibrations and flows without yielding cost what they cost by the predictor-corrector with 0.25, and are a tenth as far
-    /// off or less. Where matter yields it is no better: stress returns to the yield surface once per stage.
-    CashKarp(CashKarpTable),
-}
-
-impl<'de> Deserialize<'de> for IntegratorTable {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
-        /// The table with one of its keys.
-        #[derive(Default, Deserialize)]
-        #[serde(deny_unknown_fields, default)]
-        struct OneKey {
-            runge_kutta: Option<RungeKuttaTable>,
-            cash_karp: Option<CashKarpTable>,
-        }
-        struct WordOrTable;
-        impl<'de> serde::de::Visitor<'de> for WordOrTable {
-            type Value = IntegratorTable;
-            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-                f.write_str("\"predictor_corrector\", { runge_kutta = { tolerance = 1e-4 } } or { cash_karp = { tolerance = 1e-4 } }")
-            }
-            fn visit_str<E: serde::de::Error>(self, word: &str) -> std::result::Result<Self::Value, E> {
-                match word {
-                    "predictor_corrector" => Ok(IntegratorTable::PredictorCorrector),
-                    "runge_kutta" => Ok(IntegratorTable::RungeKutta(RungeKuttaTable::default())),
-                    "cash_karp" => Ok(IntegratorTable::CashKarp(CashKarpTable::default())),
-                    _ => Err(E::invalid_value(serde::de::Unexpected::Str(word), &self)),
-                }
-            }
-            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> std::result::Result<Self::Value, A::Error> {
-                let table = OneKey::deserialize(serde::de::value::MapAccessDeserializer::new(map))?;
-                match (table.runge_kutta, table.cash_karp) {
-                    (Some(table), None) => Ok(IntegratorTable::RungeKutta(table)),
-                    (None, Some(table)) => Ok(IntegratorTable::CashKarp(table)),
-                    _ => Err(serde::de::Error::invalid_value(serde::de::Unexpected::Map, &self)),
-                }
-            }
-        }
-        deserializer.deserialize_any(WordOrTable)
-    }
-}
-
-/// What the error control of `runge_kutta` tolerates.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-pub struct RungeKuttaTable {
-    /// Error of a step: of velocities over the largest relative velocity, of densities over themselves.
-    tolerance: Number,
-}
-
-impl Default for RungeKuttaTable {
-    fn default() -> Self {
-        Self { tolerance: Number::new(1e-4) }
-    }
-}
-
-/// What the error control of `cash_karp` tolerates.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-pub struct CashKarpTable {
-    /// Error of a step, in each quantity: of velocities over the largest relative velocity, of positions over h, of densities over
-    /// themselves, of other columns over their largest value anywhere.
-    #[schemars(range(min = TOLERANCE[0], max = TOLERANCE[1]))]
-    tolerance: Number,
-    /// The same for single quantities, by name: `{ density = 1e-6, deviatoric_stress = 1e-3 }`; `velocity`, `position`, and what steps
-    /// advance of a scene's columns (`density`, `internal_energy`, `deviatoric_stress`). From 1e-12 on; a large one leaves a quantity out.
-    #[schemars(with = "BTreeMap<String, f64>")]
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    tolerances: BTreeMap<String, Number>,
-}
-
-impl Default for CashKarpTable {
-    fn default() -> Self {
-        Self { tolerance: Number::new(1e-4), tolerances: BTreeMap::new() }
-    }
-}
-
-impl CashKarpTable {
-    fn validate(&self, document: &Document) -> Result<IntegratorRule> {
-        let within = |key: &str, value: Number, range: Range| {
-            within(document, &format!("numerics.integrator.cash_karp.{key}"), value, range)
-        };
-        let of = |(name, value): (&String, &Number)| {
-            Ok((name.clone(), within(&format!("tolerances.{name}"), *value, SINGLE_TOLERANCE)?))
-        };
-        Ok(IntegratorRule::CashKarp {
-            tolerance: within("tolerance", self.tolerance, TOLERANCE)?,
-            tolerances: self.tolerances.iter().map(of).collect::<Result<_>>()?,
-        })
-    }
-}
-
 const CFL: Range = [1e-3, 1.0];
 /// Of an integrator that refuses steps which are too long.
 const LONG_CFL: Range = [1e-3, 2.0];
 const SKIN: Range = [0.0, 1.0];
 const FACTOR: Range = [0.0, 1.0];
-const TOLERANCE: Range = [1e-12, 1.0];
-/// Of a quantity: where it is large, nothing is refused for its sake.
-const SINGLE_TOLERANCE: Range = [1e-12, 1e12];
 const SMALLEST: Range = [0.01, 1.0];
 const LARGEST: Range = [1.0, 100.0];
 
@@ -334,21 +230,6 @@ pub struct NumericsSettings {
     pub integrator: IntegratorRule,
 }
 
-/// How steps are made.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub enum IntegratorRule {
-    PredictorCorrector,
-    /// With the error of a step that is tolerated.
-    RungeKutta {
-        tolerance: f64,
-    },
-    /// The same, and what is tolerated of single quantities instead.
-    CashKarp {
-        tolerance: f64,
-        tolerances: BTreeMap<String, f64>,
-    },
-}
-
 /// Gray, Monaghan & Swift 2001, CMAME 190, 6641: repulsion by `factor` of the tension, times f^4.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ArtificialStress {
@@ -417,14 +298,7 @@ impl NumericsTable {
                 }
             }
         };
-        let integrator = match &self.integrator {
-            IntegratorTable::PredictorCorrector => IntegratorRule::PredictorCorrector,
-            IntegratorTable::RungeKutta(table) => {
-                let tolerance = within("integrator.runge_kutta.tolerance", table.tolerance, TOLERANCE)?;
-                IntegratorRule::RungeKutta { tolerance }
-            }
-            IntegratorTable::CashKarp(table) => table.validate(document)?,
-        };
+        let integrator = self.integrator.validate(document)?;
         let [corrected_gradient, angular_momentum, density_contrast] =
             [self.corrected_gradient, self.angular_momentum, self.density_contrast].map(|on| on == Some(true));
         if !corrected_gradient {
@@ -551,36 +425,5 @@ mod tests {
         assert_eq!(cfl(&[long, "numerics.integrator=cash_karp"]).unwrap(), 1.5);
         assert!(cfl(&[long]).err().unwrap().allowed.ends_with("to 1"));
         assert!(cfl(&["numerics.cfl=2.1", "numerics.integrator=cash_karp"]).is_err());
-    }
-
-    #[test]
-    fn an_integrator_is_a_word_or_a_table() {
-        let rule = |value: &str| {
-            let change = format!("numerics.integrator={value}");
-            Scene::parse("s.toml", TEXT, &[change]).map(|scene| scene.numerics.integrator)
-        };
-        assert_eq!(rule("\"predictor_corrector\"").unwrap(), IntegratorRule::PredictorCorrector);
-        for value in ["\"runge_kutta\"", "{ runge_kutta = {} }"] {
-            assert_eq!(rule(value).unwrap(), IntegratorRule::RungeKutta { tolerance: 1e-4 });
-        }
-        for value in ["\"cash_karp\"", "{ cash_karp = {} }"] {
-            assert_eq!(rule(value).unwrap(), IntegratorRule::CashKarp { tolerance: 1e-4, tolerances: BTreeMap::new() });
-        }
-        let single = rule("{ cash_karp = { tolerance = 1e-5, tolerances = { density = 1e-3, velocity = 1e9 } } }").unwrap();
-        let tolerances = BTreeMap::from([("density".to_string(), 1e-3), ("velocity".to_string(), 1e9)]);
-        assert_eq!(single, IntegratorRule::CashKarp { tolerance: 1e-5, tolerances });
-        for wrong in [
-            "\"runge\"",
-            "3",
-            "true",
-            "{}",
-            "{ runge_kutta = { tolerance = 0 } }",
-            "{ cash_karp = { tolerance = 2 } }",
-            "{ cash_karp = { tolerances = { density = 0 } } }",
-            "{ cash_karp = {}, runge_kutta = {} }",
-        ] {
-            let error = rule(wrong).err().unwrap().to_string();
-            assert!(error.contains("integrator") && !error.contains("variant"), "{wrong}: {error}");
-        }
     }
 }

@@ -20,8 +20,9 @@
 //! does not count is what velocities of 1e-6 c bring about: the stress rho c v, the energy c v. It keeps the rounding errors of matter at
 //! rest from being controlled. Columns that only keep accounts (in no snapshot) are advanced without control.
 //!
-//! Stability: vibrations that nothing damps are amplified by 1.4e-4 (w dt)^6 per step (|R(iy)|^2 = 1 + y^6 / 3600 + ...), where the
-//! predictor-corrector damps them by (w dt)^4 / 8; those that are damped die away up to w dt = 3.7 on the real axis.
+//! Stability: vibrations that nothing damps are amplified by 1.4e-4 (w dt)^6 per step (|R(iy)|^2 = 1 + y^6 / 3600 + ...), those that are
+//! damped die away up to w dt = 3.7 on the real axis. Which Courant numbers that allows is measured in
+//! tests/validation/integrators.md.
 //!
 //! Irreversible changes start at each stage from the last accepted state. Columns: k_0 to k_4 of velocities and of every integrated
 //! column, and a copy of every state column.

@@ -32,8 +32,7 @@ pub const STAGE: [Weights; STAGES] = [
 pub const END: Weights = [37.0 / 378.0, 0.0, 250.0 / 621.0, 125.0 / 594.0, 0.0, 512.0 / 1771.0];
 
 /// Of fourth order.
-const EMBEDDED: Weights =
-    [2825.0 / 27648.0, 0.0, 18575.0 / 48384.0, 13525.0 / 55296.0, 277.0 / 14336.0, 1.0 / 4.0];
+const EMBEDDED: Weights = [2825.0 / 27648.0, 0.0, 18575.0 / 48384.0, 13525.0 / 55296.0, 277.0 / 14336.0, 1.0 / 4.0];
 
 /// Fifth order less fourth.
 pub const ERROR: Weights = less(END, EMBEDDED);
