@@ -107,6 +107,18 @@ fn a_bead_in_dust_is_the_same_on_any_ranks() {
     assert!(compacted > 1e-8, "{compacted}");
 }
 
+/// The same with a rigid bead, and by an integrator that refuses steps.
+#[test]
+fn a_rigid_bead_in_dust_is_the_same_on_any_ranks() {
+    let rigid = BEAD
+        .replace("[material.glass]\neos.murnaghan.K_0 = \"1 MPa\"\nstrength.shear_modulus = \"0.66 MPa\"\n", "")
+        .replace("material = \"glass\"\n", "material = \"glass\"\nrigid = true\n");
+    crate::sameness::compare_scene("dust_rigid", rigid.clone().leak());
+    let refusing = "[numerics]\nintegrator = { cash_karp = { tolerance = 1e-3 } }\n";
+    let (_, summary) = crate::sameness::compare_scene("dust_cash_karp", rigid.replace("[numerics]\n", refusing).leak());
+    assert!(summary["refused_steps"].as_u64().is_some_and(|n| n > 0), "{summary:#}");
+}
+
 /// Cold matter without an energy; contact viscosity and the later variant are held only where asked for.
 #[test]
 fn dust_holds_what_it_needs() {

@@ -16,7 +16,7 @@ import sys
 
 from common import page
 from common.runs import expected, missing, perform, show
-from validation import campaigns, compaction, contacts, convergence, craters, crush, fracture, granular, gravity, hugoniots, price, q_star, rest
+from validation import campaigns, compaction, contacts, convergence, craters, crush, fracture, granular, gravity, hugoniots, integrators, price, q_star, rest
 
 TOPICS = {
     "convergence": convergence,
@@ -28,6 +28,7 @@ TOPICS = {
     "contacts": contacts,
     "granular": granular,
     "price": price,
+    "integrators": integrators,
     "fracture": fracture,
     "craters": craters,
     "q_star": q_star,

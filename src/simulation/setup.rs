@@ -22,7 +22,7 @@ use crate::pair::{PairLoop, Terms};
 use crate::particles::{Column, Columns, ParticleId, Registry};
 use crate::scene::{Blast, Body, Flow, InitialState, IntegratorRule, Pressed, Scene, SmoothingLengthRule, Until};
 use crate::step::StepSettings;
-use crate::step::integrator::{Integrator, PredictorCorrector, RungeKutta};
+use crate::step::integrator::{CashKarp, Integrator, PredictorCorrector, RungeKutta};
 use crate::step::pack::{Moments, Packer};
 
 /// Effects, columns and settings of a scene, before any particle exists.
@@ -136,7 +136,7 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
     if terms.angular_momentum() {
         Moments::declare(&mut registry);
     }
-    let integrator = integrator(scene, &mut registry, &core);
+    let integrator = integrator(scene, &mut registry, &view)?;
     Ok(Plan { registry, view, effects, integrator, terms, constants, motions, rigid, gravity })
 }
 
@@ -162,12 +162,23 @@ fn check_heat(scene: &Scene, registry: &Registry) -> Result<()> {
 }
 
 /// How steps are made; it is declared last, as it has to know all that is integrated.
-fn integrator(scene: &Scene, registry: &mut Registry, core: &Core) -> Box<dyn Integrator> {
+fn integrator(scene: &Scene, registry: &mut Registry, view: &ParticleView) -> Result<Box<dyn Integrator>> {
     registry.owner("integrator");
-    match scene.numerics.integrator {
-        IntegratorRule::PredictorCorrector => Box::new(PredictorCorrector::declare(registry, core)),
-        IntegratorRule::RungeKutta { tolerance } => Box::new(RungeKutta::declare(registry, core, tolerance)),
-    }
+    Ok(match &scene.numerics.integrator {
+        IntegratorRule::PredictorCorrector => Box::new(PredictorCorrector::declare(registry, &view.core)),
+        IntegratorRule::RungeKutta { tolerance } => Box::new(RungeKutta::declare(registry, &view.core, *tolerance)),
+        IntegratorRule::CashKarp { tolerance, tolerances } => {
+            let of = |name: &str| *tolerances.get(name).unwrap_or(tolerance);
+            let integrator = CashKarp::declare(registry, view, of);
+            let known = integrator.controlled_names();
+            if let Some(name) = tolerances.keys().find(|name| !known.contains(&name.as_str())) {
+                let path = format!("numerics.integrator.cash_karp.tolerances.{name}");
+                let error = scene.error(&path, format!("this scene has no error of `{name}`"));
+                return Err(error.allowed(known.join(", ")));
+            }
+            Box::new(integrator)
+        }
+    })
 }
 
 /// The terms of the pair loop.

@@ -2,6 +2,7 @@
 //! watch that determines when all of it must be made anew. Everything is based on the positions of the last build, so that a
 //! resumed run has the same lists.
 
+use super::integrator::AT_START;
 use super::phases::{Phase, Phases};
 use super::settings::StepSettings;
 use crate::domain::comm::Comm;
@@ -49,6 +50,8 @@ pub struct Neighbourhood<const D: usize> {
     core: Core,
     /// Column of crossings of the periods, where they count.
     rounds: Option<Column<Vec3>>,
+    /// Copies of positions and of crossings at the beginning of the step, where an integrator has them.
+    at_start: [Option<Column<Vec3>>; 2],
     /// List radius over smoothing length.
     reach: f64,
     space: Space,
@@ -72,6 +75,7 @@ impl<const D: usize> Neighbourhood<D> {
             handles: Handles { id: core.id, position: core.position, build_position: core.build_position },
             core,
             rounds: registry.find(ROUNDS),
+            at_start: ["position", ROUNDS].map(|name| registry.find(&format!("{name}{AT_START}"))),
             reach,
             space: Space { lattice: lattice(reach, settings), periods: settings.periods },
             words: settings.pair_loop.layout().words(),
@@ -108,18 +112,23 @@ impl<const D: usize> Neighbourhood<D> {
         }
     }
 
-    /// Brings positions back into the periods.
+    /// Brings positions back into the periods, and with them their copies at the beginning of the step: later stages start from these.
     fn wrap(&self, columns: &mut Columns) {
         let periods = &self.space.periods;
+        let [place_at_start, rounds_at_start] = self.at_start;
         for axis in (0..D).filter(|&axis| periods.closed(axis)) {
-            if let Some(column) = self.rounds {
-                for k in (0..columns.len()).map(|i| D * i + axis) {
-                    let x = columns.numbers_mut(self.core.position.index)[k];
-                    columns.numbers_mut(column.index)[k] += periods.rounds(axis, x);
-                }
-            }
-            for place in columns.numbers_mut(self.core.position.index).as_chunks_mut::<D>().0 {
-                place[axis] = periods.wrapped(axis, place[axis]);
+            for k in (0..columns.len()).map(|i| D * i + axis) {
+                let x = columns.numbers(self.core.position.index)[k];
+                let mut add = |column: Option<Column<Vec3>>, by: f64| {
+                    if let Some(column) = column {
+                        columns.numbers_mut(column.index)[k] += by;
+                    }
+                };
+                let (inside, rounds) = (periods.wrapped(axis, x), periods.rounds(axis, x));
+                add(self.rounds, rounds);
+                add(rounds_at_start, rounds);
+                add(place_at_start, inside - x);
+                columns.numbers_mut(self.core.position.index)[k] = inside;
             }
         }
     }

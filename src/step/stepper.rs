@@ -346,7 +346,8 @@ impl<'c, const D: usize> Stepper<'c, D> {
             self.finish_gravity(evaluation);
         }
         let start = Instant::now();
-        let reduced = reduction::after_evaluation::<D>(&self.found, signal, self.coming(), self.comm);
+        let controlled = self.settings.integrator.controlled();
+        let reduced = reduction::after_evaluation::<D>(&self.found, controlled, signal, self.coming(), self.comm);
         self.phases.add(Phase::Reduce, start);
         let mut reduced = reduced?;
         if self.settings.rigid.is_some() {

@@ -6,6 +6,7 @@ pub mod compare;
 pub mod domain;
 pub mod gravity;
 pub mod impacts;
+pub mod integrator;
 pub mod motion;
 pub mod numerics;
 pub mod output;

@@ -7,6 +7,7 @@ use std::ops::RangeInclusive;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use super::integrator::{IntegratorRule, IntegratorTable};
 use crate::error::Result;
 use crate::kernel::{Kernel, SUPPORT};
 use crate::scene::document::source::Document;
@@ -21,8 +22,9 @@ pub struct NumericsTable {
     /// Kernel; all end at 2h.
     kernel: Kernel,
     /// Courant number C. A step is short enough for sound, for approaching neighbours, and for matter that is not in touch yet: nothing
-    /// comes by more than C h into the support of other matter before its forces are known.
-    #[schemars(range(min = CFL[0], max = CFL[1]))]
+    /// comes by more than C h into the support of other matter before its forces are known. More than 1 with an integrator that controls
+    /// its error only.
+    #[schemars(range(min = CFL[0], max = LONG_CFL[1]))]
     cfl: Number,
     /// Margin of neighbour lists, in units of the support.
     #[schemars(range(min = SKIN[0], max = SKIN[1]))]
@@ -59,65 +61,11 @@ pub struct NumericsTable {
     integrator: IntegratorTable,
 }
 
-/// `"predictor_corrector"`, or a table.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum IntegratorTable {
-    /// Second order, one evaluation per step.
-    #[default]
-    PredictorCorrector,
-    /// Second order, two evaluations per step; a step whose error is too large is made again, shorter.
-    RungeKutta(RungeKuttaTable),
-}
-
-impl<'de> Deserialize<'de> for IntegratorTable {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
-        /// The table with its one key.
-        #[derive(Deserialize)]
-        #[serde(deny_unknown_fields)]
-        struct OneKey {
-            runge_kutta: RungeKuttaTable,
-        }
-        struct WordOrTable;
-        impl<'de> serde::de::Visitor<'de> for WordOrTable {
-            type Value = IntegratorTable;
-            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-                f.write_str("\"predictor_corrector\" or { runge_kutta = { tolerance = 1e-4 } }")
-            }
-            fn visit_str<E: serde::de::Error>(self, word: &str) -> std::result::Result<Self::Value, E> {
-                match word {
-                    "predictor_corrector" => Ok(IntegratorTable::PredictorCorrector),
-                    "runge_kutta" => Ok(IntegratorTable::RungeKutta(RungeKuttaTable::default())),
-                    _ => Err(E::invalid_value(serde::de::Unexpected::Str(word), &self)),
-                }
-            }
-            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> std::result::Result<Self::Value, A::Error> {
-                OneKey::deserialize(serde::de::value::MapAccessDeserializer::new(map))
-                    .map(|table| IntegratorTable::RungeKutta(table.runge_kutta))
-            }
-        }
-        deserializer.deserialize_any(WordOrTable)
-    }
-}
-
-/// What the error control of `runge_kutta` tolerates.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-pub struct RungeKuttaTable {
-    /// Error of a step: of velocities over the largest relative velocity, of densities over themselves.
-    tolerance: Number,
-}
-
-impl Default for RungeKuttaTable {
-    fn default() -> Self {
-        Self { tolerance: Number::new(1e-4) }
-    }
-}
-
 const CFL: Range = [1e-3, 1.0];
+/// Of an integrator that refuses steps which are too long.
+const LONG_CFL: Range = [1e-3, 2.0];
 const SKIN: Range = [0.0, 1.0];
 const FACTOR: Range = [0.0, 1.0];
-const TOLERANCE: Range = [1e-12, 1.0];
 const SMALLEST: Range = [0.01, 1.0];
 const LARGEST: Range = [1.0, 100.0];
 
@@ -291,16 +239,6 @@ pub struct NumericsSettings {
     pub integrator: IntegratorRule,
 }
 
-/// How steps are made.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub enum IntegratorRule {
-    PredictorCorrector,
-    /// With the error of a step that is tolerated.
-    RungeKutta {
-        tolerance: f64,
-    },
-}
-
 /// Gray, Monaghan & Swift 2001, CMAME 190, 6641: repulsion by `factor` of the tension, times f^4.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ArtificialStress {
@@ -372,13 +310,7 @@ impl NumericsTable {
                 }
             }
         };
-        let integrator = match self.integrator {
-            IntegratorTable::PredictorCorrector => IntegratorRule::PredictorCorrector,
-            IntegratorTable::RungeKutta(table) => {
-                let tolerance = within("integrator.runge_kutta.tolerance", table.tolerance, TOLERANCE)?;
-                IntegratorRule::RungeKutta { tolerance }
-            }
-        };
+        let integrator = self.integrator.validate(document)?;
         let [corrected_gradient, angular_momentum, density_contrast] =
             [self.corrected_gradient, self.angular_momentum, self.density_contrast].map(|on| on == Some(true));
         if !corrected_gradient {
@@ -392,7 +324,10 @@ impl NumericsTable {
         }
         Ok(NumericsSettings {
             kernel: self.kernel,
-            cfl: within("cfl", self.cfl, CFL)?,
+            cfl: match integrator {
+                IntegratorRule::PredictorCorrector => within("cfl", self.cfl, CFL)?,
+                _ => within("cfl", self.cfl, LONG_CFL)?,
+            },
             skin: within("skin", self.skin, SKIN)?,
             eta,
             viscosity: self.viscosity,
@@ -494,18 +429,14 @@ mod tests {
     }
 
     #[test]
-    fn an_integrator_is_a_word_or_a_table() {
-        let rule = |value: &str| {
-            let change = format!("numerics.integrator={value}");
-            Scene::parse("s.toml", TEXT, &[change]).map(|scene| scene.numerics.integrator)
+    fn long_steps_need_error_control() {
+        let cfl = |overrides: &[&str]| {
+            let overrides: Vec<String> = overrides.iter().map(|text| text.to_string()).collect();
+            Scene::parse("s.toml", TEXT, &overrides).map(|scene| scene.numerics.cfl)
         };
-        assert_eq!(rule("\"predictor_corrector\"").unwrap(), IntegratorRule::PredictorCorrector);
-        for value in ["\"runge_kutta\"", "{ runge_kutta = {} }"] {
-            assert_eq!(rule(value).unwrap(), IntegratorRule::RungeKutta { tolerance: 1e-4 });
-        }
-        for wrong in ["\"runge\"", "3", "true", "{}", "{ runge_kutta = { tolerance = 0 } }"] {
-            let error = rule(wrong).err().unwrap().to_string();
-            assert!(error.contains("integrator") && !error.contains("variant"), "{wrong}: {error}");
-        }
+        let long = "numerics.cfl=1.5";
+        assert_eq!(cfl(&[long, "numerics.integrator=cash_karp"]).unwrap(), 1.5);
+        assert!(cfl(&[long]).err().unwrap().allowed.ends_with("to 1"));
+        assert!(cfl(&["numerics.cfl=2.1", "numerics.integrator=cash_karp"]).is_err());
     }
 }

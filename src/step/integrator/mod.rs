@@ -4,10 +4,10 @@
 //!
 //! ```text
 //! for each stage                      predictor-corrector       Runge-Kutta, for one that may refuse
-//!     move to the moment of it        x + dt v ...              stage 0: stays; stage 1: x + dt k_0
+//!     move to the moment of it        x + dt v ...              stage 0: stays; later ones: x + dt (k_0 ...)
 //!     admit, update (, commit)        with commit               without
 //!     rates of that state
-//!     take them                       correct                   stage 0: keep k_0, copy; stage 1: finish, error
+//!     take them                       correct                   stage 0: keep k_0, copy; ...; the last: finish, error
 //!     one reduction over ranks
 //! accept: update, commit              has committed             refuse: set back, try less
 //! ```
@@ -17,15 +17,38 @@
 //!
 //! Adding one: a file here, its key in the scene's `[numerics]`, and the line that selects it where a run is set up.
 
+pub mod cash_karp;
+mod copies;
+pub mod error;
 pub mod predictor_corrector;
 pub mod runge_kutta;
+mod tableau;
 
 use crate::material::Core;
 use crate::math::Vec3;
 use crate::motion::rigid::{RigidBody, RigidRates};
 use crate::particles::{Chunk, Column, Rates, Registry};
+pub use cash_karp::CashKarp;
+pub use copies::AT_START;
+pub use error::{QUANTITIES, StepError};
 pub use predictor_corrector::PredictorCorrector;
 pub use runge_kutta::RungeKutta;
+
+/// Velocities of this share of the speed of sound are rest: smaller errors than those tolerated of them are those of rounding, which no
+/// step makes smaller.
+const REST: f64 = 1e-6;
+
+/// A rigid body whose error moves it by less than this share of its size in a step is as exact as its place can be.
+const ROUNDING: f64 = 1e-14;
+
+/// The error of a rigid body's velocity by these differences of weights, m/s, as that of the quantity with this number.
+fn rigid_error(body: &RigidBody, weights: &[f64], dt: f64, quantity: usize) -> StepError {
+    let (mut error, off) = (StepError::default(), body.velocity_by(weights, dt));
+    if off * dt > ROUNDING * body.reach {
+        error.note(quantity, off);
+    }
+    error
+}
 
 /// Advances the particles of a run through its steps.
 pub trait Integrator: Send + Sync {
@@ -41,6 +64,11 @@ pub trait Integrator: Send + Sync {
     /// Takes the rates of a stage; after the last one it brings the chunk to the end of the step, and returns the error.
     fn take(&self, chunk: &Chunk, rates: &Rates, stage: usize, dt: f64) -> StepError;
 
+    /// How many quantities of [`StepError`] are in use.
+    fn controlled(&self) -> usize {
+        0
+    }
+
     /// Sets a chunk back to the beginning of the step.
     fn set_back(&self, _chunk: &Chunk) {}
 
@@ -53,22 +81,6 @@ pub trait Integrator: Send + Sync {
     /// Accepts or refuses a step of `dt` seconds with this error; `speed`: the largest relative velocity of any two particles, m/s.
     fn judge(&self, _error: &StepError, _speed: f64, _dt: f64) -> Verdict {
         Verdict::Accept { most: f64::INFINITY }
-    }
-}
-
-/// Largest errors of a step over particles; minima and maxima do not depend on order.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct StepError {
-    /// m/s.
-    pub velocity: f64,
-    /// Error of the density, relative.
-    pub density: f64,
-}
-
-impl StepError {
-    pub fn merge(&mut self, other: &Self) {
-        self.velocity = self.velocity.max(other.velocity);
-        self.density = self.density.max(other.density);
     }
 }
 

@@ -17,17 +17,21 @@
 
 use std::cell::Cell;
 
-use super::{Integrator, Moved, StepError, Verdict, add};
+use super::copies::Copies;
+use super::error::share;
+use super::{Integrator, Moved, REST, StepError, Verdict, add, rigid_error};
 use crate::material::Core;
 use crate::motion::rigid::{RigidBody, RigidRates};
 use crate::particles::{Chunk, Column, Life, Rates, Registry};
 
 /// Next step over the one that the error would just allow.
 const CAUTION: f64 = 0.9;
-/// Velocities of this share of the speed of sound are rest.
-const REST: f64 = 1e-6;
 /// Bounds of the next step over this one.
 const CHANGE: [f64; 2] = [0.2, 2.0];
+
+/// Quantities whose errors are controlled.
+const VELOCITY: usize = 0;
+const DENSITY: usize = 1;
 
 pub struct RungeKutta {
     moved: Moved,
@@ -36,8 +40,7 @@ pub struct RungeKutta {
     /// Columns of k_0: of velocities, and of each integrated column.
     acceleration: usize,
     rates: Vec<usize>,
-    /// (state column, its copy at the step's beginning).
-    copies: Vec<(usize, usize)>,
+    copies: Copies,
     velocity_copy: usize,
     sound_speed: Column<f64>,
     tolerance: f64,
@@ -46,16 +49,12 @@ pub struct RungeKutta {
 impl RungeKutta {
     pub fn declare(registry: &mut Registry, core: &Core, tolerance: f64) -> Self {
         let moved = Moved::new(registry, core);
-        let state = |index: &usize| registry.entries[*index].info.life == Life::State;
-        let state: Vec<usize> = (0..registry.entries.len()).filter(state).collect();
-        let copies: Vec<(usize, usize)> =
-            state.iter().map(|&index| (index, registry.like(index, "_at_start", Life::Scratch))).collect();
-        let copy = |of: usize| copies.iter().find(|(state, _)| *state == of).expect("a state column").1;
+        let copies = Copies::declare(registry);
         Self {
             density: core.density.slot,
             acceleration: registry.like(moved.velocity.index, "_rate", Life::Scratch),
             rates: moved.integrated.iter().map(|&index| registry.like(index, "_rate", Life::Scratch)).collect(),
-            velocity_copy: copy(moved.velocity.index),
+            velocity_copy: copies.of(moved.velocity.index),
             copies,
             moved,
             sound_speed: core.sound_speed,
@@ -84,9 +83,7 @@ impl RungeKutta {
         for (&kept, new) in self.rates.iter().zip(rates.blocks()) {
             chunk.words(kept).iter().zip(new).for_each(|(kept, new)| kept.set(new.get()));
         }
-        for &(state, copy) in &self.copies {
-            chunk.words(state).iter().zip(chunk.words(copy)).for_each(|(state, copy)| copy.set(state.get()));
-        }
+        self.copies.make(chunk);
     }
 
     /// From the rates at y + dt k_0 to the end of the step.
@@ -109,7 +106,7 @@ impl RungeKutta {
         for (k, ((v, first), second)) in velocities.enumerate() {
             let off = mean(v, first_of(first), second.get());
             if off > REST * self.tolerance * sound_speed.get(k / width) {
-                error.velocity = error.velocity.max(off);
+                error.note(VELOCITY, off);
             }
         }
         for (slot, (&value, &rate)) in self.moved.integrated.iter().zip(&self.rates).enumerate() {
@@ -117,7 +114,7 @@ impl RungeKutta {
             for ((q, first), second) in chunk.words(value).iter().zip(chunk.words(rate)).zip(second) {
                 let off = mean(q, first_of(first), f64::from_bits(second.get()));
                 if slot == self.density {
-                    error.density = error.density.max(off / f64::from_bits(q.get()));
+                    error.note(DENSITY, off / f64::from_bits(q.get()));
                 }
             }
         }
@@ -146,10 +143,12 @@ impl Integrator for RungeKutta {
         self.finish(chunk, rates, dt)
     }
 
+    fn controlled(&self) -> usize {
+        2
+    }
+
     fn set_back(&self, chunk: &Chunk) {
-        for &(state, copy) in &self.copies {
-            chunk.words(state).iter().zip(chunk.words(copy)).for_each(|(state, copy)| state.set(copy.get()));
-        }
+        self.copies.restore(chunk);
     }
 
     fn advance_rigid(&self, body: &mut RigidBody, _stage: usize, dt: f64) {
@@ -161,14 +160,14 @@ impl Integrator for RungeKutta {
         if stage == 0 {
             return StepError::default();
         }
-        let off = body.velocity_by(&[-0.5, 0.5], dt);
+        let error = rigid_error(body, &[-0.5, 0.5], dt, VELOCITY);
         body.move_by(&[0.5, 0.5], dt);
-        StepError { velocity: off, density: 0.0 }
+        error
     }
 
     fn judge(&self, error: &StepError, speed: f64, dt: f64) -> Verdict {
-        let share = |off: f64, scale: f64| if off > 0.0 { off / (scale * self.tolerance) } else { 0.0 };
-        let error = share(error.velocity, speed).max(share(error.density, 1.0));
+        let share = |quantity: usize, size: f64| share(error.errors[quantity], size, self.tolerance);
+        let error = share(VELOCITY, speed).max(share(DENSITY, 1.0));
         let change = if error > 0.0 { (CAUTION / error.sqrt()).clamp(CHANGE[0], CHANGE[1]) } else { CHANGE[1] };
         match error <= 1.0 {
             true => Verdict::Accept { most: change * dt },
@@ -187,12 +186,17 @@ mod tests {
         let mut registry = Registry::new(3);
         let core = declare_core(&mut registry);
         let scheme = RungeKutta::declare(&mut registry, &core, 1e-3);
-        let judge = |velocity: f64| scheme.judge(&StepError { velocity, density: 0.0 }, 10.0, 1.0);
+        let off = |quantity: usize, off: f64| {
+            let mut error = StepError::default();
+            error.note(quantity, off);
+            error
+        };
+        let judge = |velocity: f64| scheme.judge(&off(VELOCITY, velocity), 10.0, 1.0);
         assert_eq!(judge(0.0), Verdict::Accept { most: 2.0 });
         assert_eq!(judge(0.01), Verdict::Accept { most: 0.9 });
         assert_eq!(judge(0.04), Verdict::Refuse { next: 0.45 });
         assert_eq!(judge(1e9), Verdict::Refuse { next: 0.2 });
-        let dense = scheme.judge(&StepError { velocity: 0.0, density: 4e-3 }, 0.0, 1.0);
+        let dense = scheme.judge(&off(DENSITY, 4e-3), 0.0, 1.0);
         assert_eq!(dense, Verdict::Refuse { next: 0.45 });
     }
 }
