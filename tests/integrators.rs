@@ -78,7 +78,7 @@ fn cash_karp_is_of_fifth_order() {
             // Beyond, rounding is seen, or else the second order of the moments, far below what any other integrator reaches.
             let least = if more.is_empty() { [4.0, 1.9] } else { [4.8, 4.8] };
             assert!(orders[0] > least[0] && orders[1] > least[1] && orders[0] < 5.5, "{more:?}: {orders:?}");
-            assert!(errors[0] < 1e-5, "{more:?}: {errors:?}, of 1 m/s");
+            assert!(errors[0] < 1e-4, "{more:?}: {errors:?}, of 1 m/s");
         }
     });
 }
