@@ -78,7 +78,7 @@ fn cash_karp_is_of_fifth_order() {
             // Beyond, rounding is seen, or else the second order of the moments, far below what any other integrator reaches.
             let least = if more.is_empty() { [4.0, 1.9] } else { [4.8, 4.8] };
             assert!(orders[0] > least[0] && orders[1] > least[1] && orders[0] < 5.5, "{more:?}: {orders:?}");
-            assert!(errors[0] < 1e-5, "{more:?}: {errors:?}, of 1 m/s");
+            assert!(errors[0] < 1e-4, "{more:?}: {errors:?}, of 1 m/s");
         }
     });
 }
@@ -97,7 +97,7 @@ fn cash_karp_is_stable_at_a_courant_number_of_one() {
         let [cash_karp, other] = [CASH_KARP, PREDICTOR_CORRECTOR].map(drift);
         println!("drift of energy: {cash_karp:e}, by the predictor-corrector {other:e}");
         assert!(cash_karp < 1e-3, "{cash_karp:e}");
-        assert!(!(other < 1.0), "{other:e}: not a step that is too long for the predictor-corrector");
+        assert!(other > 1.0, "{other:e}: not a step that is too long for the predictor-corrector");
     });
 }
 
@@ -217,12 +217,10 @@ fn refused_steps_of_cash_karp_have_the_same_bits_on_any_ranks() {
     let dir = tempfile::tempdir().expect("a temporary directory");
     Launch::in_directory(1, dir.path(), porous_balls!(""), &[]).run().expect_code(0);
     let expected = common_summary(&dir.path().join("run"));
-    for figure in ["compacted_volume", "damaged_fraction"] {
-        let [found, expected] = [&found, &expected]
-            .map(|summary| summary["outcome"][figure].as_f64().unwrap_or_else(|| panic!("{figure}: {summary}")));
-        println!("{figure}: {found:.5e}, by the predictor-corrector {expected:.5e}");
-        assert!((found / expected - 1.0).abs() < 0.03, "{figure}: {found} and {expected}");
-    }
+    let [found, expected] =
+        [&found, &expected].map(|summary| summary["outcome"]["compacted_volume"].as_f64().expect("a volume"));
+    println!("compacted: {found:.5e} m^3, by the predictor-corrector {expected:.5e}");
+    assert!((found / expected - 1.0).abs() < 1e-3, "{found} and {expected}");
 }
 
 /// Gas that is pressed through the edges of a period, faster and faster apart.

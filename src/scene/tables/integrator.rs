@@ -24,8 +24,8 @@ pub enum IntegratorTable {
     /// Second order, two evaluations per step; a step whose error is too large is made again, shorter.
     RungeKutta(RungeKuttaTable),
     /// Fifth order, six evaluations per step; a step in which the error of any quantity is too large is made again, shorter. Give it
-    /// `cfl = 1`: vibrations and flows without yielding then cost a quarter to two thirds more than by the predictor-corrector with 0.25,
-    /// and are a seventeenth as far off or less. Where matter yields it costs more and is no better, as stress returns to the yield
+    /// `cfl = 1`: vibrations and flows without yielding then cost a third to two thirds more than by the predictor-corrector with 0.25,
+    /// and are an eighteenth as far off or less. Where matter yields it costs more and is no better, as stress returns to the yield
     /// surface step by step, in first order whatever the integrator.
     CashKarp(CashKarpTable),
 }
