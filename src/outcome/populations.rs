@@ -133,7 +133,7 @@ fn listed(comm: &Comm, pieces: &[Piece]) -> Vec<Listed> {
 
 impl Populations {
     fn share(&self, pieces: &[Listed]) -> f64 {
-        pieces.iter().map(|piece| piece.mass).sum::<f64>() / self.total
+        pieces.iter().fold(0.0, |sum, piece| sum + piece.mass) / self.total
     }
 
     /// Shares of the largest piece, the second, the power law's and the rest.

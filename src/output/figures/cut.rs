@@ -52,13 +52,23 @@ struct Quantity {
     limits: Option<(f64, f64)>,
     /// May span orders of magnitude.
     wide: bool,
+    /// Values from here on do not widen the range of the colours.
+    below: f64,
     shades: Shades,
     value: Source,
 }
 
 impl Quantity {
     fn new(title: &str, unit: &'static str, value: Source) -> Self {
-        Self { title: title.into(), unit, limits: None, wide: false, shades: Shades::Colours, value }
+        Self {
+            title: title.into(),
+            unit,
+            limits: None,
+            wide: false,
+            below: f64::INFINITY,
+            shades: Shades::Colours,
+            value,
+        }
     }
 }
 
@@ -103,7 +113,8 @@ fn left(picture: &Picture, columns: &Columns) -> Result<Quantity> {
         return Ok(Quantity { limits, shades: Shades::Greys, ..Quantity::new("Distention", "", value) });
     }
     if let Some(value) = scalar(FILLING_FACTOR) {
-        return Ok(Quantity { wide: true, ..Quantity::new("Filling factor", "", value) });
+        // Of dust: other matter is full.
+        return Ok(Quantity { wide: true, below: 1.0, ..Quantity::new("Filling factor", "", value) });
     }
     Ok(Quantity::new("Density", "kg/m³", Source::Column(needed(columns, "density")?)))
 }
@@ -175,7 +186,7 @@ fn style(size: i32) -> TextStyle<'static> {
 
 /// The colours' range: known limits, or the values in the picture without the outermost half per cent.
 fn colour_scale(quantity: &Quantity, values: &[f64]) -> Scale {
-    let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+    let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite() && *v < quantity.below).collect();
     sorted.sort_by(f64::total_cmp);
     let at = |share: f64| sorted.get((share * (sorted.len().max(1) - 1) as f64) as usize).copied().unwrap_or(0.0);
     let (low, high) = quantity.limits.unwrap_or((at(0.005), at(0.995)));

@@ -62,6 +62,16 @@ pub fn figures(bounce: &Bounce) -> Figures {
     Figures(figures.map(|(name, value)| (name.to_string(), value)).to_vec())
 }
 
+/// The bounce on the terminal, rank 0.
+pub fn print(restitution: &Figures) {
+    let of = |name: &str| restitution.0.iter().find(|(n, _)| n == name).map_or(f64::NAN, |(_, value)| *value);
+    tracing::info!(
+        "coefficient of restitution {:.4}: {:.4} of the energy is lost",
+        of("coefficient"),
+        of("energy_loss")
+    );
+}
+
 /// Bodies that are not done with each other.
 pub fn warning(bounce: &Bounce, scene: &Scene) -> Option<Warning> {
     let [body, against] = scene.restitution.map(|r| [r.body, r.against].map(|body| &scene.bodies[body].name))?;

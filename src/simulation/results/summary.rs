@@ -227,6 +227,9 @@ pub fn print(summary: &Summary, crater: Option<&Crater>, printed: usize, directo
     if let Some(figures) = &summary.intrusion {
         intrusion::print(figures);
     }
+    if let Some(figures) = &summary.restitution {
+        restitution::print(figures);
+    }
     if let Some(found) = &summary.fragments {
         fragments::print(found);
     }
