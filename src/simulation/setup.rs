@@ -13,7 +13,7 @@ use crate::kernel::{CubicSpline, Shape};
 use crate::material::eos::INTERNAL_ENERGY;
 use crate::material::{self, BodyConstants, Core, MaterialEffect, ParticleView, Setup};
 use crate::math::{ExactSum, Vec3};
-use crate::motion::rigid::RigidMatter;
+use crate::motion::rigid::{MovedColumns, RigidMatter};
 use crate::motion::{Motions, PrescribedMotion};
 use crate::pair::artificial_stress;
 use crate::pair::record::{PressureGradient, StressTerm, TensorGradient, ViscousTerm};
@@ -123,7 +123,8 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
         masses.clone(),
         &mut registry,
     );
-    let rigid = RigidMatter::declare(rigid::starts(scene), masses, scene.periods, &mut registry, &core);
+    let moved = MovedColumns { id: core.id, position: core.position, velocity: core.velocity };
+    let rigid = RigidMatter::declare(rigid::starts(scene), masses, scene.periods, &mut registry, moved);
     let gravity = scene.gravity.any().then(|| Attraction {
         uniform: Vec3::from(scene.gravity.uniform.unwrap_or_default()),
         rounds: falls_round(scene).then(|| (gravity::declare_rounds(&mut registry), Vec3::from(scene.periods.length))),

@@ -11,13 +11,20 @@
 
 use super::body::{Guidance, Load, RigidBody, RigidMotion, mobility};
 use crate::domain::comm::Comm;
-use crate::material::Core;
 use crate::math::{ExactSum, Sym, Vec3};
 use crate::motion::PrescribedMotion;
-use crate::particles::{Chunk, Column, ColumnInfo, Columns, Life, Periods, Rates, Registry};
+use crate::particles::{Chunk, Column, ColumnInfo, Columns, Life, ParticleId, Periods, Rates, Registry};
 
 /// Force and torque of a body, being summed.
 pub type LoadSums = [ExactSum; 6];
+
+/// Columns of what is moved.
+#[derive(Debug, Clone, Copy)]
+pub struct MovedColumns {
+    pub id: Column<ParticleId>,
+    pub position: Column<Vec3>,
+    pub velocity: Column<Vec3>,
+}
 
 /// A rigid body as a scene has it at the start.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,7 +50,7 @@ pub struct RigidMatter {
     /// Mass of a particle of each of the scene's bodies, kg.
     masses: Vec<f64>,
     place: Column<Vec3>,
-    core: Core,
+    moved: MovedColumns,
     periods: Periods,
 }
 
@@ -63,25 +70,25 @@ impl RigidMatter {
         masses: Vec<f64>,
         periods: Periods,
         registry: &mut Registry,
-        core: &Core,
+        moved: MovedColumns,
     ) -> Option<Self> {
         if bodies.is_empty() {
             return None;
         }
         let number = (0..masses.len()).map(|of| bodies.iter().position(|start| start.body == of)).collect();
         let place = registry.owner("rigid").column(PLACE);
-        Some(Self { bodies, number, masses, place, core: *core, periods })
+        Some(Self { bodies, number, masses, place, moved, periods })
     }
 
     /// The bodies of new particles, whose places in them are set. Collective.
     pub fn weigh(&self, columns: &mut Columns, comm: &Comm) -> Vec<RigidBody> {
         let numbers: Vec<Option<usize>> =
-            (0..columns.len()).map(|i| self.number[columns.get(self.core.id, i).body()]).collect();
+            (0..columns.len()).map(|i| self.number[columns.get(self.moved.id, i).body()]).collect();
         let mut sums = vec![ExactSum::new(); 4 * self.bodies.len()];
         for (i, number) in numbers.iter().enumerate() {
             let Some(number) = number else { continue };
             let m = self.masses[self.bodies[*number].body];
-            let x = columns.get(self.core.position, i);
+            let x = columns.get(self.moved.position, i);
             sums[4 * number..].iter_mut().zip([m, m * x.x, m * x.y, m * x.z]).for_each(|(sum, share)| sum.add(share));
         }
         let sums = comm.sum_exactly(&mut sums);
@@ -91,7 +98,7 @@ impl RigidMatter {
         for (i, number) in numbers.iter().enumerate() {
             let Some(number) = *number else { continue };
             let m = self.masses[self.bodies[number].body];
-            let r = columns.get(self.core.position, i) - centres[number];
+            let r = columns.get(self.moved.position, i) - centres[number];
             columns.set(self.place, i, r);
             let [xx, yy, zz] = [r.x * r.x, r.y * r.y, r.z * r.z];
             let shares = [yy + zz, xx + zz, xx + yy, -r.x * r.y, -r.x * r.z, -r.y * r.z];
@@ -100,19 +107,18 @@ impl RigidMatter {
         }
         let inertia = comm.sum_exactly(&mut inertia);
         comm.all_max(&mut reach);
-        let matter =
-            sums.as_chunks::<4>().0.iter().map(|s| s[0]).zip(inertia.as_chunks::<6>().0).zip(centres).zip(reach);
-        let of = |(start, (((mass, j), centre), reach)): (&RigidStart, (((f64, &[f64; 6]), Vec3), f64))| {
-            let inertia = Sym { xx: j[0], yy: j[1], zz: j[2], xy: j[3], xz: j[4], yz: j[5] };
-            start.body(mass, &inertia, centre, reach, columns.registry.dimension)
+        let of = |(number, start): (usize, &RigidStart)| {
+            let [xx, yy, zz, xy, xz, yz] = inertia.as_chunks().0[number];
+            let inertia = Sym { xx, yy, zz, xy, xz, yz };
+            start.body(sums[4 * number], &inertia, centres[number], reach[number], columns.registry.dimension)
         };
-        self.bodies.iter().zip(matter).map(of).collect()
+        self.bodies.iter().enumerate().map(of).collect()
     }
 
     /// Sets positions and velocities of a chunk's particles to those of their bodies. `owners`: the scene's body of each particle.
     pub fn place(&self, chunk: &Chunk, owners: &[u16], bodies: &[RigidBody]) {
         let (position, velocity, place) =
-            (chunk.view(self.core.position), chunk.view(self.core.velocity), chunk.view(self.place));
+            (chunk.view(self.moved.position), chunk.view(self.moved.velocity), chunk.view(self.place));
         self.each_stretch(owners, |number, particles| {
             let body = &bodies[number];
             let (r, spin) = (body.motion.orientation.matrix(), body.spin());

@@ -5,4 +5,4 @@ pub mod matter;
 pub mod turning;
 
 pub use body::{Guidance, Load, RigidBody, RigidMotion, RigidRates};
-pub use matter::{LoadSums, RigidMatter, RigidStart};
+pub use matter::{LoadSums, MovedColumns, RigidMatter, RigidStart};

@@ -6,6 +6,7 @@ mod filling;
 pub mod flow;
 pub mod reader;
 pub mod rigid;
+mod rigid_rules;
 pub mod shape;
 pub mod table;
 pub mod validated;

@@ -4,6 +4,7 @@ use super::blast::Blast;
 use super::filling::Filling;
 use super::flow::Flow;
 use super::rigid::Rigid;
+use super::rigid_rules;
 use super::table::{BodyTable, DAMAGE, Spacing};
 use super::validated::Body;
 use crate::error::{Error, Result};
@@ -127,7 +128,7 @@ impl BodyReader<'_> {
     }
 
     fn rigid(&self, raw: &BodyTable, material: &MaterialTable) -> Result<Option<Rigid>> {
-        raw.rigid().map(|rigid| rigid.validate(self.document, &self.path, raw, material)).transpose()
+        raw.rigid().map(|rigid| rigid_rules::validate(&rigid, self.document, &self.path, raw, material)).transpose()
     }
 
     fn flow(&self, raw: &BodyTable) -> Result<Option<Flow>> {
