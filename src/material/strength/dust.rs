@@ -10,8 +10,7 @@
 use super::super::dust::REFERENCE_DENSITY;
 use super::super::eos::sirono::Sirono;
 use super::super::{Core, Local, PerBody, Setup};
-use super::LARGEST_VOLUME;
-use super::yield_law::returned;
+use super::yield_law::{LARGEST_VOLUME, returned};
 use crate::math::{Deviator, Sym};
 use crate::particles::{Column, Integrated, Registry};
 

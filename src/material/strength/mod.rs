@@ -36,14 +36,10 @@ use crate::math::{Deviator, Sym};
 use crate::particles::{Column, ColumnInfo, Integrated, Life, Registry};
 use dust::DustShear;
 pub use table::{CollinsTable, DruckerPragerTable, MeltingTable, StrengthTable};
-use yield_law::{Yield, returned};
+use yield_law::{LARGEST_VOLUME, Yield, returned};
 
 /// Name of the column that this effect owns.
 pub const DEVIATORIC_STRESS: &str = "deviatoric_stress";
-
-/// Largest volume of a particle in the pair sums over the one it starts with; it bounds the speed of shear waves in
-/// spray.
-const LARGEST_VOLUME: f64 = 2.0;
 
 #[derive(Debug, Clone, Copy)]
 struct Solid {

@@ -23,6 +23,10 @@ use crate::error::{Error, Result};
 use crate::math::Deviator;
 use crate::units::Pressure;
 
+/// Largest volume of a particle in the pair sums over the one it starts with; it bounds the speed of shear waves in
+/// spray.
+pub(super) const LARGEST_VOLUME: f64 = 2.0;
+
 /// A stress this little beyond the yield surface was put there by rounding and stays, so that a second return changes
 /// no bit.
 const ROUNDING: f64 = 1e-14;
