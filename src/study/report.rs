@@ -62,7 +62,7 @@ pub fn print(analysis: &Analysis, directory: &Path, is_root: bool) {
 fn table(analysis: &Analysis) -> String {
     let mut text = String::from(
         "point,setting,spacing,particles,steps,figure,error,core_seconds,pair_interactions,wall_seconds,\
-         front_core_seconds,front_pairs,settings,failed,warnings,word\n",
+         front_core_seconds,front_pairs,word,settings,failed,warnings\n",
     );
     let number = |value: Option<f64>| value.map_or(String::new(), |x| format!("{x:e}"));
     let whole = |value: Option<f64>| value.map_or(String::new(), |x| format!("{x}"));
@@ -81,10 +81,10 @@ fn table(analysis: &Analysis) -> String {
             number(p.wall_seconds),
             (p.on_front_of_core_seconds as u8).to_string(),
             (p.on_front_of_pairs as u8).to_string(),
+            quoted(p.word.as_deref().unwrap_or_default()),
             quoted(&p.overrides.join("; ")),
             quoted(&p.failed),
             quoted(&warning::kinds(&p.warnings).join("; ")),
-            quoted(p.word.as_deref().unwrap_or_default()),
         ];
         text += &(cells.join(",") + "\n");
     }
