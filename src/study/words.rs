@@ -43,10 +43,10 @@ impl Words {
     }
 }
 
-/// What an axis is called: the table's name, or the key.
+/// What an axis is called: the table's name, or the last part of the key.
 fn name(axis: &Axis) -> String {
     match axis.name.as_str() {
-        "" => axis.values[0].iter().map(|change| change.key.clone()).collect::<Vec<_>>().join(", "),
+        "" => axis.values[0].iter().filter_map(|change| change.key.rsplit('.').next()).collect::<Vec<_>>().join(", "),
         name => name.replace('_', " "),
     }
 }
