@@ -74,11 +74,17 @@ def runs():
 HEAD = ["depth", "peak at", "phi there", "gap at", "stops after", "compacted / bead", "sine off by", "steps", "core-s"]
 
 
+def stopped(row):
+    """The fall of a run in which the bead came to rest."""
+    fall = (row or {}).get("intrusion") or {}
+    return fall if fall.get("stopping_time") is not None else None
+
+
 def cells(row):
     """What is told of a run."""
     if row is None:
         return ["not run"] + [""] * (len(HEAD) - 1)
-    fall = row.get("intrusion")
+    fall = stopped(row)
     if not fall:
         return ["did not come to rest"] + [""] * (len(HEAD) - 3) + [row["steps"], f"{row['core_seconds']:.0f}"]
     mm = lambda key: "–" if fall[key] is None else f"{1e3 * fall[key]:.3f} mm"
@@ -107,9 +113,9 @@ def write(known):
 def experiment(known):
     """Ours, the paper's and the experiment's figures side by side."""
     final = [known.get(run.name) for run in IN_SPACE]
-    ours = next((row["intrusion"] for row in reversed(final) if row and row.get("intrusion")), None)
+    ours = next(filter(None, map(stopped, reversed(final))), None)
     flat = [known.get(run.name) for run in CONVERGENCE]
-    flat = next((row["intrusion"] for row in reversed(flat) if row and row.get("intrusion")), None)
+    flat = next(filter(None, map(stopped, reversed(flat))), None)
 
     def figures(key, unit, scale):
         value = f"{scale * ours[key]:.3f} {unit}".strip() if ours else "not run"
@@ -132,7 +138,7 @@ def draw(known):
     panels = {"p_m, kPa": PRESSURE, "Delta": WIDTH, "alpha of the dust": VISCOSITY, "speed, m/s": SPEED}
     figure, axes = plt.subplots(1, len(panels), figsize=(4 * len(panels), 3.6))
     for axis, (name, sweep) in zip(axes, panels.items()):
-        rows = {key: known[run.name]["intrusion"] for key, run in sweep.items() if known.get(run.name, {}).get("intrusion")}
+        rows = {key: stopped(known.get(run.name)) for key, run in sweep.items() if stopped(known.get(run.name))}
         if not rows:
             continue
         axis.plot(list(rows), [1e3 * row["peak_depth"] for row in rows.values()], "o-", label="peak at, mm")
@@ -150,7 +156,7 @@ def draw(known):
 def failures(known):
     """What should hold: convergence, equivalence of the variants of plasticity, a stopping time that does not depend on speed."""
     wrong = []
-    depth = lambda run: known.get(run.name, {}).get("intrusion", {}).get("peak_depth")
+    depth = lambda run: (stopped(known.get(run.name)) or {}).get("peak_depth")
     one, other = depth(CHOICES["as it is"]), depth(CHOICES["plasticity after unloading (variant 2)"])
     if one and other and abs(other / one - 1) > 0.02:
         wrong.append(f"dust: variants of plasticity differ by {100 * (other / one - 1):.1f} % in depth")
