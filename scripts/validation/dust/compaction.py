@@ -58,7 +58,7 @@ CHOICES = {
     "shear as printed (eqs. 10, 18)": plane("as_printed", settings=[f"{SIRONO}.shear_as_printed=true"]),
     "gamma = 2": plane("gamma_2", settings=[f"{SIRONO}.gamma=2"]),
     "gamma = 6": plane("gamma_6", settings=[f"{SIRONO}.gamma=6"]),
-    "an absorbing layer": plane("absorbing", settings=['layer.0.motion={ damping = { time = "0.1 ms" } }']),
+    "an absorbing layer": plane("absorbing", settings=['layer.0.motion={ damping = "0.1 ms" }']),
     "no contact viscosity": plane("no_contact", settings=["numerics.contact_viscosity=false"]),
     "no gravity": plane("no_gravity", settings=["gravity.uniform=[0,0]"]),
 }
