@@ -149,7 +149,8 @@ impl<const D: usize> Neighbourhood<D> {
     }
 
     /// Neighbours of every owned particle, and what follows from which they are.
-    pub fn build_list(&mut self, columns: &mut Columns, view: &ParticleView) {
+    pub fn build_list(&mut self, columns: &mut Columns, settings: &StepSettings) {
+        let view = &settings.view;
         let Decomposition { local, .. } = self.decomposition.as_mut().expect("particles are distributed first");
         self.list.build(local);
         if let Some(column) = view.contact_alpha() {
@@ -158,6 +159,17 @@ impl<const D: usize> Neighbourhood<D> {
                 let neighbours = self.list.entries[ends[0]..ends[1]].iter().filter_map(|&slot| alpha_of(slot));
                 let own = alpha(view, columns.get(self.core.id, i).0);
                 columns.set(column, i, neighbours.fold(own, f64::max));
+            }
+        }
+        if let Some(rates) = &settings.two_rates {
+            let is_fast = |slot: u32| {
+                let place = local.places.get(slot as usize);
+                place.is_some_and(|place| rates.bodies[ParticleId(place.id).body()])
+            };
+            for (i, ends) in self.list.offsets.windows(2).enumerate() {
+                let near = is_fast(local.slot_of_owned[i])
+                    || self.list.entries[ends[0]..ends[1]].iter().any(|&slot| is_fast(slot));
+                columns.set(rates.columns.near, i, f64::from(near));
             }
         }
         local.forget_places();
@@ -269,6 +281,11 @@ impl<const D: usize> Neighbourhood<D> {
     /// Starts sending the records of boundary particles.
     pub fn send(&mut self, records: &[f64], stride: usize, comm: &Comm) {
         self.evaluations += 1;
+        self.send_again(records, stride, comm);
+    }
+
+    /// The same between the evaluations of all particles.
+    pub fn send_again(&mut self, records: &[f64], stride: usize, comm: &Comm) {
         let words = self.words;
         let Decomposition { ghosts, local, .. } = self.parts_mut();
         let outgoing = ghosts.exchange.outgoing().chunks_exact_mut(words);
@@ -300,6 +317,21 @@ impl<const D: usize> Neighbourhood<D> {
         for (&slot, from) in local.slot_of_incoming.iter().zip(incoming) {
             records[slot as usize * stride..slot as usize * stride + self.words].copy_from_slice(from);
         }
+    }
+
+    /// A column's number of the particle in every slot, ghosts too, and zero for the record that pads rows. Collective.
+    pub fn in_slots(&mut self, columns: &Columns, column: Column<f64>, comm: &Comm) -> Vec<f64> {
+        let words = self.words;
+        let Decomposition { ghosts, local, .. } = self.parts_mut();
+        let outgoing = ghosts.exchange.outgoing().chunks_exact_mut(words);
+        ghosts.send_indices.iter().zip(outgoing).for_each(|(&i, to)| to[0] = columns.get(column, i as usize));
+        ghosts.exchange.start(comm);
+        ghosts.exchange.wait(comm);
+        let mut numbers = vec![0.0; local.count + 1];
+        (0..).zip(&local.slot_of_owned).for_each(|(i, &slot)| numbers[slot as usize] = columns.get(column, i));
+        let incoming = ghosts.exchange.incoming().chunks_exact(words);
+        local.slot_of_incoming.iter().zip(incoming).for_each(|(&slot, from)| numbers[slot as usize] = from[0]);
+        numbers
     }
 
     /// Ghosts held by this rank.
