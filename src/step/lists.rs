@@ -63,11 +63,9 @@ impl<const D: usize> Stepper<'_, D> {
         let start = Instant::now();
         if fresh {
             self.neighbourhood.start_afresh(&mut self.columns, &self.settings);
-            let rebisected = self.neighbourhood.balance(
-                &self.columns,
-                &Load { phases: &self.phases, steps: self.coming() },
-                self.comm,
-            );
+            let (steps, small_steps) = (self.coming(), self.small_steps_made());
+            let load = Load { phases: &self.phases, steps, small_steps };
+            let rebisected = self.neighbourhood.balance(&self.columns, &load, self.comm);
             self.counters.list_builds += 1;
             self.counters.rebisections += rebisected as u64;
         }

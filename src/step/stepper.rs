@@ -279,7 +279,8 @@ impl<'c, const D: usize> Stepper<'c, D> {
 
     /// Largest load of a rank over the mean load, over the run; collective.
     pub fn imbalance(&self) -> f64 {
-        self.neighbourhood.imbalance(&Load { phases: &self.phases, steps: self.coming() }, self.comm)
+        let load = Load { phases: &self.phases, steps: self.coming(), small_steps: self.small_steps_made() };
+        self.neighbourhood.imbalance(&load, self.comm)
     }
 
     pub fn reason_name(&self, reason: usize) -> &'static str {

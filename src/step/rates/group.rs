@@ -67,6 +67,11 @@ impl GroupLists {
         Rows { records, offsets: &self.offsets, entries: &self.entries, slots: &self.slots }
     }
 
+    /// Entries of all rows.
+    pub fn entries(&self) -> usize {
+        self.entries.len()
+    }
+
     /// The members of a stretch.
     pub fn range(&self, stretch: usize) -> Range<usize> {
         stretch * STRETCH..((stretch + 1) * STRETCH).min(self.slots.len())

@@ -47,8 +47,8 @@
 //!
 //! **Lists** hold from one large step to the next, as without small ones: they are watched when all particles stand at the end of it.
 //!
-//! **Ranks.** In each small step all records of ghosts are exchanged, of which only those of fast and edge particles have changed, and
-//! ranks reduce whether numbers are finite, and d.
+//! **Ranks.** In each small step the records of ghosts that are fast or of the edge are exchanged, and ranks reduce whether numbers are finite,
+//! and d.
 //!
 //! What else refers to a moment of all particles is left to scenes without two rates: gravity of particles on each other, rigid
 //! bodies, the late stage, a smoothing length that varies, and integrators that may refuse a step. Pores, fracture, dust and friction are

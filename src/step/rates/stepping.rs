@@ -12,6 +12,7 @@ use crate::pair::Rows;
 use crate::particles::chunk::Chunks;
 use crate::particles::{Chunk, Columns};
 use crate::step::failure::Failure;
+use crate::step::neighbourhood::ListSize;
 use crate::step::passes::Passes;
 use crate::step::phases::Phase;
 use crate::step::reduction;
@@ -24,11 +25,25 @@ impl<const D: usize> Stepper<'_, D> {
     pub(in crate::step) fn group(&mut self, fresh: bool) {
         let Some(rates) = &mut self.rates else { return };
         rates.stale |= fresh;
-        let marks = self.neighbourhood.in_slots(&self.columns, rates.columns.fast, self.comm);
+        let columns = &self.columns;
+        let is_fast = |i: usize| columns.get(rates.columns.fast, i);
+        let marks = self.neighbourhood.in_slots(is_fast, self.comm);
         let list = &self.neighbourhood.list;
         let slots = &self.neighbourhood.local().slot_of_owned;
         let rows = Rows { records: &[], offsets: &list.offsets, entries: &list.entries, slots };
         rates.group(&self.columns, &rows, &marks);
+        let (entries, particles) = (rates.fast.lists.entries() as f64, rates.fast.members.len() as f64);
+        let mut moves = vec![0.0; self.columns.len()];
+        rates.fast.members.iter().chain(&rates.edge.members).for_each(|&i| moves[i as usize] = 1.0);
+        let marks = self.neighbourhood.in_slots(|i| moves[i], self.comm);
+        self.neighbourhood.choose(&marks, self.comm);
+        self.neighbourhood.note_fast(ListSize { entries, particles });
+    }
+
+    /// Small steps in the last large one.
+    pub(in crate::step) fn small_steps_made(&self) -> f64 {
+        let small = self.rates.as_ref().map_or(0.0, |rates| rates.small);
+        if small > 0.0 { (self.state.last / small).max(1.0) } else { 1.0 }
     }
 
     /// Passes over all particles are from now on over those that are slow.
@@ -122,9 +137,8 @@ impl<const D: usize> Stepper<'_, D> {
         self.phases.add(Phase::Pack, start);
         let start = Instant::now();
         let stride = self.settings.pair_loop.layout().stride();
-        self.neighbourhood.send_again(bytemuck::cast_slice(&self.buffers.records), stride, self.comm);
-        self.neighbourhood.wait(self.comm);
-        self.neighbourhood.receive(bytemuck::cast_slice_mut(&mut self.buffers.records), stride);
+        let records = bytemuck::cast_slice_mut(&mut self.buffers.records);
+        self.neighbourhood.exchange_chosen(records, stride, self.comm);
         self.phases.add(Phase::Wait, start);
     }
 
