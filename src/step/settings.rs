@@ -86,6 +86,9 @@ pub struct Counters {
     pub rebisections: u64,
     /// Steps that were refused and tried again shorter.
     pub refused: u64,
+    /// Small steps of bodies that take these, the last of each large one among them.
+    #[serde(default)]
+    pub small_steps: u64,
     pub gravity_evaluations: u64,
     /// Particles that left this rank.
     pub migrated: u64,

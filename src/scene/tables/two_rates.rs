@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::impacts::named;
 use super::integrator::IntegratorRule;
-use super::numerics::{NumericsSettings, SmoothingLengthRule};
+use super::numerics::NumericsSettings;
 use crate::error::Result;
 use crate::scene::document::source::Document;
 use crate::scene::tables::body::validated::Body;
@@ -83,7 +83,6 @@ fn combines(document: &Document, matter: &Matter) -> Result<()> {
     let numerics = matter.numerics;
     let refused = [
         (numerics.integrator != IntegratorRule::PredictorCorrector, "an integrator that may refuse steps"),
-        (numerics.smoothing_length != SmoothingLengthRule::Constant, "a smoothing length that varies"),
         (matter.gravity.own.is_some(), "gravity of particles on each other"),
         (matter.bodies.iter().any(|body| body.rigid.is_some()), "a rigid body"),
         (matter.late_stage, "a late stage"),
@@ -130,7 +129,6 @@ mod tests {
             ("two_rates.steps=3", "3 small steps (allowed: powers of two from 2 to 16384)"),
             ("two_rates.parts=1", "1 parts of a target take small steps, but there are 0 (allowed: 0 to 0)"),
             ("numerics.integrator=runge_kutta", "an integrator that may refuse steps and two rates cannot be combined"),
-            ("numerics.smoothing_length={ follows = \"density\" }", "a smoothing length that varies and two rates"),
             ("gravity.self=true", "gravity of particles on each other and two rates"),
             ("bed.rigid=true", "a rigid body and two rates cannot be combined (allowed: one of them)"),
         ] {

@@ -67,6 +67,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         exchanged_bytes_per_step: bytes / stepper.state.step.max(1) as f64,
         imbalance: stepper.imbalance(),
         refused_steps: stepper.counters.refused,
+        small_steps: report.scene.two_rates.is_some().then_some(stepper.counters.small_steps),
         list_builds: stepper.counters.list_builds,
         rebisections: stepper.counters.rebisections,
         migrated_particles: spent.migrated,

@@ -51,7 +51,7 @@
 //! and d.
 //!
 //! What else refers to a moment of all particles is left to scenes without two rates: gravity of particles on each other, rigid
-//! bodies, the late stage, a smoothing length that varies, and integrators that may refuse a step. Pores, fracture, dust and friction are
+//! bodies, the late stage, and integrators that may refuse a step. Pores, fracture, dust, friction and a smoothing length that varies are
 //! local and follow each particle's own steps; prescribed motion takes what an edge particle gets as impulse and work.
 
 mod columns;

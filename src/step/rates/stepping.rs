@@ -149,6 +149,7 @@ impl<const D: usize> Stepper<'_, D> {
         let found = self.collect();
         self.counters.pairs += found.pairs;
         self.counters.updates += rates.fast.members.len() as u64;
+        self.counters.small_steps += 1;
         self.phases.add(Phase::Pairs, start);
         let start = Instant::now();
         let reduced = reduction::after_evaluation::<D>(&found, 0, 0, self.coming(), self.comm);
@@ -181,6 +182,7 @@ impl<const D: usize> Stepper<'_, D> {
         let mut rates = self.rates.take()?;
         let last = rates.last_of(moment);
         self.evaluate_groups(&mut rates, &last);
+        self.counters.small_steps += u64::from(moment.dt > 0.0);
         rates.fast.columns.write_back(&mut self.columns, &rates.fast.members);
         self.close(&rates, moment.dt);
         let found = self.collect();
@@ -197,7 +199,7 @@ impl<const D: usize> Stepper<'_, D> {
         if let Some(small) = small {
             let mut least = [small];
             self.comm.all_min(&mut least);
-            self.state.small = Some(least[0]);
+            self.state.small = least[0].is_finite().then_some(least[0]);
         }
     }
 

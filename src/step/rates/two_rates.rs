@@ -109,3 +109,73 @@ impl TwoRates {
         Some(pieces)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::material::declare_core;
+    use crate::math::Vec3;
+    use crate::particles::Registry;
+
+    /// A row of particles, each with its neighbours on both sides, of which every tenth is fast.
+    fn row(count: usize) -> (Columns, TwoRates) {
+        let mut registry = Registry::new(2);
+        declare_core(&mut registry);
+        let columns = RateColumns::declare(&mut registry);
+        let settings = RateSettings { bodies: vec![true], steps: None, columns };
+        let mut particles = Columns::new(registry);
+        particles.resize(count);
+        let mut rates = TwoRates::new(&particles, &settings);
+        let padding = count as u32;
+        let mut entries = Vec::new();
+        for i in 0..padding {
+            let beside = [i.wrapping_sub(1), i + 1];
+            let mut eight = [padding; 8];
+            eight.iter_mut().zip(beside.iter().filter(|&&j| j < padding)).for_each(|(to, &j)| *to = j);
+            entries.extend(eight);
+        }
+        let offsets: Vec<usize> = (0..=count).map(|i| 8 * i).collect();
+        let slots: Vec<u32> = (0..padding).collect();
+        let mut marks: Vec<f64> = (0..count).map(|i| f64::from(i % 10 == 0)).collect();
+        marks.push(0.0);
+        rates.group(&particles, &Rows { records: &[], offsets: &offsets, entries: &entries, slots: &slots }, &marks);
+        (particles, rates)
+    }
+
+    #[test]
+    fn groups_hold_what_is_fast_and_what_is_beside_it() {
+        let (_, rates) = row(600);
+        assert!(rates.fast.members.iter().copied().eq((0..600).step_by(10)));
+        assert!(rates.edge.members.iter().copied().eq((0..599).filter(|i| matches!(i % 10, 1 | 9))));
+        // A fast one has all of its neighbours, one of the edge the fast one alone.
+        let rows = rates.fast.lists.rows(&[]);
+        assert_eq!(rows.entries[8..11], [9, 11, 600]);
+        let rows = rates.edge.lists.rows(&[]);
+        assert_eq!((rows.slots[1], &rows.entries[8..10]), (9, &[10, 600][..]));
+        let pieces = rates.slow_pieces(600).expect("some are fast");
+        assert_eq!(pieces[..2], [1..10, 11..20]);
+        assert!(pieces.contains(&(251..256)) && pieces.contains(&(256..260)), "chunks are cut, not joined");
+        assert_eq!(pieces.iter().map(|piece| piece.len()).sum::<usize>(), 540);
+        assert_eq!(row(0).1.slow_pieces(0), None);
+    }
+
+    /// The weights of a step: what the corrector gives, dt/2 at both ends, and these make those of the small steps.
+    #[test]
+    fn weights_make_up_for_those_of_the_large_step() {
+        let (mut particles, mut rates) = row(20);
+        let one = Received { motion: Vec3::new(1.0, 0.0, 0.0), heat: 0.0 };
+        rates.edge.members.clone().iter().for_each(|&i| rates.columns.set_received(&mut particles, i as usize, one));
+        let (dt, small) = (1.0, 0.25);
+        rates.begin(&particles, dt, small);
+        for k in 0..rates.ahead.len() {
+            let columns = rates.columns.clone();
+            columns.set_received(&mut rates.ahead, k, one);
+        }
+        (0..3).for_each(|_| rates.receive(small));
+        rates.hand_over(&mut particles, small);
+        let so_far = rates.columns.received(&particles, 1).motion.x;
+        // The whole of an even push is that of the corrector.
+        assert_eq!(so_far + 0.5 * (rates.small - dt), 0.0);
+        assert_eq!(rates.columns.received(&particles, 5), Received::default());
+    }
+}
