@@ -97,3 +97,39 @@ impl RateColumns {
         (0..columns.len()).for_each(|i| self.set_received(columns, i, Received::default()));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::material::declare_core;
+
+    #[test]
+    fn who_becomes_slow_forgets_the_slopes_of_small_steps() {
+        let mut registry = Registry::new(3);
+        declare_core(&mut registry);
+        let jerk: Column<Vec3> = registry.column(ColumnInfo {
+            name: "jerk",
+            unit: "m/s^3",
+            about: "Of the integrator.",
+            life: Life::Kept,
+            snapshot: false,
+        });
+        let rates = RateColumns::declare(&mut registry);
+        let mut columns = Columns::new(registry);
+        columns.resize(4);
+        let slope = Vec3::new(1.0, 2.0, 3.0);
+        for (i, (was, is)) in [(0.0, 0.0), (0.0, 1.0), (1.0, 0.0), (1.0, 1.0)].into_iter().enumerate() {
+            columns.set(rates.fast, i, was);
+            columns.set(rates.near, i, is);
+            columns.set(jerk, i, slope);
+        }
+        rates.adopt(&mut columns);
+        let found = [0, 1, 2, 3].map(|i| (columns.get(rates.fast, i), columns.get(jerk, i)));
+        assert_eq!(found, [(0.0, slope), (1.0, slope), (0.0, Vec3::zeros()), (1.0, slope)]);
+        // Cold matter has no heat to receive.
+        rates.set_received(&mut columns, 1, Received { motion: slope, heat: 5.0 });
+        assert_eq!(rates.received(&columns, 1), Received { motion: slope, heat: 0.0 });
+        rates.clear(&mut columns);
+        assert_eq!(rates.received(&columns, 1), Received::default());
+    }
+}

@@ -8,7 +8,10 @@
 //! **Groups.** Fast are the bodies that the scene names, and what has a particle of these in its list: soft matter in touch
 //! with stiff matter feels its forces and must follow in its time. All others are slow; those of them with a fast neighbour are
 //! the *edge*. What is fast is decided between two large steps, after lists were built, from the lists alone, and kept in the
-//! column `fast`: in the step in which lists change, every particle still ends as what it began as.
+//! column `fast`: in the step in which lists change, every particle still ends as what it began as. The layer of soft matter that
+//! is fast is what makes the scheme stable: a chain of springs, a third of it 1e4 times as stiff and 10 times as heavy as the
+//! rest, n = 128, blows up without it; with one soft particle in it energy stays within 3 % over 3000 / w (w the frequency of
+//! the soft springs) at w dt = 0.4 and within 0.5 % at 0.2, and no better with two.
 //!
 //! **A large step** of dt is the sum of n = 2^k small ones of d_m, m = 1 ... n. At the end of each but the last
 //!
@@ -49,7 +52,8 @@
 //! steps and needs of this only d (`StepState`).
 //!
 //! **Lists** hold from one large step to the next, as without small ones: they are watched when all particles stand at the end
-//! of it.
+//! of it. So matter that flies into each other limits the large step even where all of it is fast (`closing`): 2^k small steps
+//! are gained in matter that moves by less than its skin in a large one.
 //!
 //! **Ranks.** In each small step the records of ghosts that are fast or of the edge are exchanged, and ranks reduce whether
 //! numbers are finite, and d.
