@@ -135,7 +135,7 @@ fn two_rates_are_of_second_order() {
         let orders = |errors: &[f64]| [0, 1].map(|k: usize| (errors[k] / errors[k + 1]).log2());
         println!("errors {errors:?} m/s, orders {:.3?}", orders(&errors));
         println!("drifts {drifts:?}, orders {:.3?}", orders(&drifts));
-        assert!(orders(&errors).iter().all(|order| (1.7..2.4).contains(order)), "{errors:?}");
+        assert!(orders(&errors).iter().all(|order| (1.7..3.0).contains(order)), "{errors:?}");
         assert!(orders(&drifts).iter().all(|order| *order > 1.7), "{drifts:?}");
     });
 }
