@@ -102,7 +102,7 @@ fn a_bead_in_dust_is_the_same_on_any_ranks() {
     let history = std::fs::read_to_string(dir.join("run/history.csv")).expect("a history");
     let mut lines = history.lines().filter(|line| !line.starts_with('#'));
     let column = lines.next().expect("names").split(',').position(|name| name.starts_with("dust_compacted_volume"));
-    let last = lines.last().expect("a last line").split(',').nth(column.expect("a column"));
+    let last = lines.next_back().expect("a last line").split(',').nth(column.expect("a column"));
     let compacted: f64 = last.and_then(|cell| cell.parse().ok()).expect("a number");
     assert!(compacted > 1e-8, "{compacted}");
 }

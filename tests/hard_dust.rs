@@ -252,3 +252,53 @@ fn dust_without_viscosity_is_noisy() {
         assert!(filling > 0.1 && speed > 0.3, "the defect is gone: {filling} {speed}");
     });
 }
+
+/// A disc of dust falls onto a rigid plate that is held.
+const PLATE: &str = r#"
+dimension = 2
+[[body]]
+name = "disc"
+shape = { disc = { radius = "0.5 mm" } }
+position = [0, "0.55 mm"]
+velocity = [0, "-0.2 m/s"]
+material = "silica_dust"
+spacing = "50 um"
+[[body]]
+name = "plate"
+shape = { box = { size = ["1.6 mm", "0.2 mm"] } }
+position = [0, "-0.1 mm"]
+material = "glass"
+spacing = "50 um"
+rigid = { adhesion = STICKS }
+motion = "fixed"
+[numerics]
+eta = 2
+corrected_gradient = true
+contact_viscosity = true
+[run]
+until = 1
+"#;
+
+/// The disc's mean velocity away from the plate 8 ms later over that before, and the momentum that is not accounted for.
+fn rebound(sticks: bool, comm: &Comm) -> [f64; 2] {
+    let mut hand = ByHand::<2>::new(&PLATE.replace("STICKS", &sticks.to_string()), comm, |_| {});
+    let first = hand.stepper.totals();
+    hand.run(8e-3, |_| {});
+    let disc: Vec<f64> = hand.particles().filter(|&i| hand.body(i) == 0).map(|i| hand.velocity(i).y).collect();
+    let last = hand.stepper.totals();
+    let off = (last.momentum_balance(hand.time) - first.momentum_balance(0.0)).norm() / first.momentum_scale;
+    let found = [disc.iter().sum::<f64>() / disc.len() as f64 / 0.2, off];
+    println!("sticks {sticks}: {found:?} in {} steps", hand.steps());
+    found
+}
+
+/// Matter leaves a rigid body as a free surface; glued to it, it stays.
+#[test]
+fn a_rigid_plate_lets_go() {
+    ranks(1, "hard_dust::a_rigid_plate_lets_go", |comm| {
+        let [left, off] = rebound(false, comm);
+        assert!((0.1..0.3).contains(&left) && off < 1e-12, "{left} {off}");
+        let [left, off] = rebound(true, comm);
+        assert!(left < 0.02 && off < 1e-12, "glue does not hold: {left} {off}");
+    });
+}

@@ -226,3 +226,61 @@ fn check_adds_the_points_up() {
     assert!(out.stdout.contains("all 6 points on 2 ranks of one thread"), "{}", out.stdout);
     assert!(!dir.path().join("runs").exists(), "nothing runs");
 }
+
+const DISCS: &str = r#"
+dimension = 2
+[[body]]
+name = "target"
+shape = { disc = { radius = "0.5 mm" } }
+material = "silica_dust"
+spacing = "0.1 mm"
+[[body]]
+name = "projectile"
+shape = { disc = { radius = "0.5 mm" } }
+material = "silica_dust"
+spacing = "0.1 mm"
+[impact]
+speed = "1 m/s"
+[numerics]
+eta = 2
+[run]
+until = "2 ms"
+[fragments]
+bodies = ["target", "projectile"]
+"#;
+
+const MAP: &str = r#"
+title = "A map"
+[study]
+scene = "tube.toml"
+word = "fragments.outcome"
+[study.vary]
+impact.speed = ["0.1 m/s", "20 m/s"]
+material.silica_dust.viscosity.beta = [0.2, 2]
+"#;
+
+/// A word of the summary is told of each point, and over two things that are varied it makes a map.
+#[test]
+fn words_make_a_map() {
+    let dir = folder(MAP);
+    fs::write(dir.path().join("tube.toml"), DISCS).expect("a scene");
+    launch(2, dir.path(), &["study.toml", "--out", "run"]).run().expect_code(0);
+    let run = dir.path().join("run");
+    let found = read(run.join("study.json"));
+    let cells = found.pointer("/words/cells").expect("a map").as_array().expect("rows");
+    let words: Vec<&str> =
+        cells.iter().flat_map(|row| row.as_array().expect("cells")).filter_map(Value::as_str).collect();
+    assert_eq!((cells.len(), words.len()), (2, 4), "{found:#}");
+    assert!(words.iter().all(|word| ["sticking", "bouncing", "fragmentation"].contains(word)), "{words:?}");
+    assert!(words.iter().any(|word| *word != words[0]), "fast is as slow: {words:?}");
+    assert!(run.join("map.png").exists());
+    let table = fs::read_to_string(run.join("study.csv")).expect("a table");
+    assert!(
+        table.lines().skip(1).all(|line| words.iter().any(|word| line.contains(&format!(",\"{word}\",\"")))),
+        "{table}"
+    );
+    let wrong = folder(&MAP.replace("fragments.outcome", "fragments.outcom"));
+    fs::write(wrong.path().join("tube.toml"), DISCS).expect("a scene");
+    let output = launch(1, wrong.path(), &["study.toml", "--out", "run"]).run().expect_code(2);
+    assert!(output.stderr.contains("runs have no figure `fragments.outcom`"), "{}", output.stderr);
+}

@@ -1,7 +1,7 @@
 """usage: scripts/validate [TOPIC...] [--list] [--page] [--most SECONDS]
 
 Makes what is missing under runs/validate/, and writes the pages of tests/validation/ that follow from it. Without a topic: all
-but q_star and campaigns, whose searches take core-hours.
+but dust, q_star and campaigns, which take core-hours.
 
     TOPIC            one of those below, or the beginning of a run's name (`sod`, `craters/compaction`)
     --list           what is there, and the core-seconds that the rest will take; of a topic, each of its runs
@@ -16,7 +16,7 @@ import sys
 
 from common import page
 from common.runs import expected, missing, perform, show
-from validation import campaigns, compaction, contacts, convergence, craters, crush, fracture, granular, gravity, hugoniots, integrators, price, q_star, rest
+from validation import campaigns, compaction, contacts, convergence, craters, crush, dust, fracture, granular, gravity, hugoniots, integrators, price, q_star, rest
 
 TOPICS = {
     "convergence": convergence,
@@ -31,6 +31,7 @@ TOPICS = {
     "integrators": integrators,
     "fracture": fracture,
     "craters": craters,
+    "dust": dust,
     "q_star": q_star,
     "campaigns": campaigns,
 }

@@ -148,23 +148,14 @@ impl Later {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::Rig;
+    use super::super::testing::{Rig, silica};
     use super::*;
     use crate::math::Mat3;
-
-    fn dust(more: &str) -> MaterialTable {
-        toml::from_str(&format!(
-            "[eos.sirono]\nrho_s = 2000\nrho_i = 300\nK_0 = \"4.5 kPa\"\ngamma = 4\n{more}\n\
-             tension = {{ T_0 = 630.9573444801932, slope = 1.48 }}\n\
-             compression.powder = {{ p_m = 260, phi_1 = 0.12, phi_2 = 0.58, Delta = 0.58 }}\n"
-        ))
-        .unwrap()
-    }
 
     /// Both variants give one pressure along a path of loads that turns often, up to the stiffness within a step.
     #[test]
     fn both_variants_give_the_same_pressure() {
-        let law = dust("").dust().unwrap();
+        let law = silica("").dust().unwrap();
         let (mut reference, mut later) = (300.0, Later { reference: 300.0, yielded: 0.0 });
         let mut yields = 0;
         for step in 0..4000 {
@@ -185,7 +176,7 @@ mod tests {
     /// Elastic matter keeps its reference density, and the column of variant 2 is there only where it is asked for.
     #[test]
     fn columns_follow_from_the_variant() {
-        let mut rig = Rig::new(dust(""));
+        let mut rig = Rig::new(silica(""));
         assert!(rig.columns.registry.find::<f64>("yield_density").is_none());
         assert!(rig.columns.registry.find::<f64>(super::super::eos::INTERNAL_ENERGY).is_none());
         rig.step(&Mat3::zeros(), 0.0);
@@ -199,7 +190,7 @@ mod tests {
         // Tension below the strength of 1 kPa.
         let p = rig.get(rig.core.pressure);
         assert!(rig.get(reference) == 300.0 && (-200.0..0.0).contains(&p), "{p}");
-        let later = Rig::new(dust("plasticity = \"after_unloading\""));
+        let later = Rig::new(silica("plasticity = \"after_unloading\""));
         assert!(later.columns.registry.find::<f64>("yield_density").is_some());
     }
 }

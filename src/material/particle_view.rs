@@ -14,6 +14,8 @@ pub struct ParticleView {
     pub constants: Vec<BodyConstants>,
     /// Whether each body is rigid; empty where none is.
     pub rigid: Vec<bool>,
+    /// Factor of the density of each body's records (see `pair::contrast`); empty where none is rigid.
+    pub standing: Vec<f64>,
     bodies: Vec<BodyTraits>,
     /// Smoothing length now and at the last list build, where it varies.
     smoothing_length: Option<[Column<f64>; 2]>,
@@ -71,6 +73,7 @@ impl ParticleView {
             core,
             constants: setup.constants.to_vec(),
             rigid: Vec::new(),
+            standing: Vec::new(),
             bodies: bodies.map(|(material, damage)| BodyTraits::new(material, damage)).collect(),
             smoothing_length: varying[0].zip(varying[1]).map(|(now, at_build)| [now, at_build]),
             damage: registry.find(DAMAGE),
@@ -85,6 +88,12 @@ impl ParticleView {
     #[inline]
     pub fn is_rigid(&self, body: usize) -> bool {
         self.rigid.get(body).is_some_and(|rigid| *rigid)
+    }
+
+    /// Factor of the density in a body's records.
+    #[inline]
+    pub fn standing(&self, body: usize) -> f64 {
+        self.standing.get(body).copied().unwrap_or(1.0)
     }
 
     /// Columns of the smoothing length, now and at the last list build, where it varies.

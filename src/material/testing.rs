@@ -41,6 +41,16 @@ pub fn gas() -> MaterialTable {
     toml::from_str("eos = { ideal_gas = { gamma = 1.4 } }").unwrap()
 }
 
+/// Dust as calibrated by Geretshauser et al. 2010, with more keys of its law.
+pub fn silica(more: &str) -> MaterialTable {
+    toml::from_str(&format!(
+        "[eos.sirono]\nrho_s = 2000\nrho_i = 300\nK_0 = \"4.5 kPa\"\ngamma = 4\n{more}\n\
+         tension = {{ T_0 = 630.9573444801932, slope = 1.48 }}\n\
+         compression.powder = {{ p_m = 260, phi_1 = 0.12, phi_2 = 0.58, Delta = 0.58 }}\n"
+    ))
+    .expect("a material")
+}
+
 pub fn without_fracture(material: MaterialTable) -> MaterialTable {
     MaterialTable { fracture: None, ..material }
 }

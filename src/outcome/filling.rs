@@ -172,7 +172,7 @@ impl Profile {
         let [a, b, c] = [value(a?), value(b?), value(c?)];
         let (slope, bend) = (0.5 * (c - a), a - 2.0 * b + c);
         let share = if bend != 0.0 { -slope / bend } else { 0.0 };
-        (share.abs() <= 1.0).then(|| [depth + share * step, b + 0.5 * share * slope])
+        (share.abs() <= 1.0).then_some([depth + share * step, b + 0.5 * share * slope])
     }
 
     /// `filling_profile.csv`.

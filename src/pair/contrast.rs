@@ -16,14 +16,20 @@
 //! viscosity the density of the pair becomes 2 rho of the deformable particle; alpha c of the rigid one, which its record holds divided
 //! by [`RIGID`], drops out, so that p = rho (alpha c |mu| + 2 beta mu^2) with the other's rho, alpha and c. Between two rigid bodies
 //! the factors cancel in all but beta mu^2, which is left out there.
+//!
+//! A rigid body that does not adhere has [`LOOSE`] times its density. Of a pair whose deformable particle would pull along the line between
+//! them (x . sigma x > 0) there is no force; while they move apart, neither strain nor moment: for the particle the body is
+//! gone, as at a free surface. While they approach the strain counts, so that tension goes before they touch again.
 
 use super::Pair;
 use crate::math::lanes::Lanes;
 
-/// Density of a rigid body's records over its own: a power of two, so that nothing is rounded.
-pub const RIGID: f64 = (1u128 << 80) as f64;
-/// No matter that deforms is as dense, kg/m^3.
+/// Density of a rigid body's records over its own: powers of two, so that nothing is rounded. One that adheres, and one that does not.
+pub const RIGID: f64 = (1u128 << 60) as f64;
+pub const LOOSE: f64 = (1u128 << 100) as f64;
+/// No matter that deforms is as dense, kg/m^3, and no rigid body that adheres.
 const DENSEST: f64 = 1e12;
+const DENSEST_THAT_ADHERES: f64 = 1e25;
 
 /// beta, but for pairs of rigid bodies, which have none.
 ///
@@ -32,6 +38,22 @@ const DENSEST: f64 = 1e12;
 #[inline(always)]
 pub unsafe fn beta_of<L: Lanes>(beta: L, rho_i: L, rho_j: L) -> L {
     unsafe { beta.keep(rho_i.min(rho_j).less(L::splat(DENSEST))) }
+}
+
+/// 1 where one of two particles deforms and the other belongs to a rigid body that does not adhere, 0 elsewhere.
+///
+/// # Safety
+/// As for [`Lanes`].
+#[inline(always)]
+pub unsafe fn loose<L: Lanes>(rho_i: L, rho_j: L) -> (L, bool) {
+    unsafe {
+        let mask = L::splat(DENSEST_THAT_ADHERES).less(rho_i.max(rho_j));
+        if L::count(mask) == 0 {
+            return (L::splat(0.0), false);
+        }
+        let deforms = rho_i.min(rho_j).less(L::splat(DENSEST));
+        (L::splat(1.0).keep(mask).keep(deforms), true)
+    }
 }
 
 /// w_i and w_j from rho_i and rho_j.

@@ -162,7 +162,7 @@ fn refuse_to_overwrite(path: &Path, found: &[String]) -> Result<()> {
 
 /// Whether a run, a search or a study writes a file of this name.
 pub fn is_of_a_run(name: &str) -> bool {
-    const FILES: [&str; 41] = [
+    const FILES: [&str; 42] = [
         "checkpoint.h5",
         "checkpoint_previous.h5",
         "crater.csv",
@@ -191,6 +191,7 @@ pub fn is_of_a_run(name: &str) -> bool {
         "outcome.png",
         "point.json",
         "q_star.png",
+        "map.png",
         "restitution.csv",
         "restitution.png",
         "scene.toml",

@@ -4,6 +4,7 @@ use crate::material::MaterialTable;
 use crate::math::Vec3;
 use crate::motion::rigid::{RigidBody, RigidStart};
 use crate::output::summary::Figures;
+use crate::pair::contrast;
 use crate::scene::{Body, Scene};
 
 /// The matter of every body as effects see it.
@@ -15,6 +16,8 @@ pub struct Matter {
     pub damage: Vec<f64>,
     /// Whether each body is rigid; empty where none is.
     pub rigid: Vec<bool>,
+    /// Factor of the density of each body's records; empty where none is rigid.
+    pub standing: Vec<f64>,
 }
 
 /// The materials of a scene; each rigid body has one of its own instead, of its contact with other rigid bodies alone, which as
@@ -25,11 +28,14 @@ pub fn matter(scene: &Scene) -> Matter {
         of_body: scene.bodies.iter().map(|body| body.material).collect(),
         damage: scene.bodies.iter().map(|body| body.damage).collect(),
         rigid: Vec::new(),
+        standing: Vec::new(),
     };
     for (number, body) in scene.bodies.iter().enumerate() {
         let Some(rigid) = body.rigid else { continue };
         matter.rigid.resize(scene.bodies.len(), false);
         matter.rigid[number] = true;
+        matter.standing.resize(scene.bodies.len(), 1.0);
+        matter.standing[number] = if rigid.adhesion { contrast::RIGID } else { contrast::LOOSE };
         matter.of_body[number] = matter.materials.len();
         matter.damage[number] = 1.0;
         matter.materials.push(scene.materials[body.material].of_contact(body.density, rigid.sound_speed));

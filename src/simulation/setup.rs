@@ -113,7 +113,7 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
         material::viscosity::declare_contact(&mut registry);
     }
     let mut view = ParticleView::new(&setup, &registry, core);
-    view.rigid = matter.rigid;
+    (view.rigid, view.standing) = (matter.rigid, matter.standing);
     let masses: Vec<f64> = constants.iter().map(|body| body.particle_mass).collect();
     let motions = Motions::declare(
         scene

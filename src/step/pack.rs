@@ -8,7 +8,7 @@ use crate::math::lanes::LANES;
 use crate::math::{Sym, Vec3};
 use crate::pair::artificial_stress::artificial_stress;
 use crate::pair::record::{ViscousTerm, set_half};
-use crate::pair::{Layout, angular_momentum, contrast};
+use crate::pair::{Layout, angular_momentum};
 use crate::particles::{Chunk, Column, ColumnInfo, Columns, Life, Registry};
 
 /// Makes records from columns.
@@ -139,7 +139,7 @@ impl Packer {
         let h_power = if layout.dimension == 2 { h * h } else { h * h * h };
         let volume = (constants.particle_mass / density).min(self.most_volume * h_power);
         record[layout.volume()] = volume;
-        let standing = if view.is_rigid(body) { contrast::RIGID } else { 1.0 };
+        let standing = view.standing(body);
         set_half(record, layout.density(), standing * constants.particle_mass / volume);
         set_half(record, layout.h_inverse(), 1.0 / h);
         let Viscosity { alpha, beta } = view.viscosity(columns, i, body);

@@ -11,6 +11,7 @@ use super::points::Study;
 use super::record::Record;
 use super::settings::Change;
 use super::thresholds;
+use super::words::Words;
 use crate::scene::answer::understood;
 use crate::warning::{self, Warning};
 
@@ -27,6 +28,9 @@ pub struct Analysis {
     pub points: Vec<Found>,
     pub settings: Vec<Setting>,
     pub targets: Vec<Target>,
+    /// The map of a word, where one is asked for and two things are varied.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub words: Option<Words>,
     /// Thresholds, where points are searches.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub thresholds: Vec<thresholds::Row>,
@@ -56,6 +60,8 @@ pub struct Found {
     /// Why it has no result; empty where it has one.
     pub failed: String,
     pub figure: Option<f64>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub word: Option<String>,
     pub error: Option<f64>,
     pub particles: Option<f64>,
     pub steps: Option<f64>,
@@ -141,6 +147,7 @@ impl Analysis {
     pub fn new(study: &Study, records: &[Option<Record>]) -> Self {
         let measure = &study.settings.measure;
         let figure = |k: usize, name: &str| records[k].as_ref().and_then(|record| record.figure(name));
+        let word = |k: usize| records[k].as_ref()?.word(study.settings.word.as_ref()?).map(str::to_string);
         let samples: Vec<Option<Sample>> = (0..study.points.len())
             .map(|k| {
                 let (spacing, pairs) = (study.points[k].spacing, figure(k, "pair_interactions"));
@@ -156,6 +163,7 @@ impl Analysis {
             spacing: point.spacing,
             failed: records[k].as_ref().map_or("not run".into(), |record| record.failed.clone()),
             figure: figure(k, &measure.figure),
+            word: word(k),
             error: errors[k],
             particles: figure(k, "particles"),
             steps: figure(k, "steps"),
@@ -183,6 +191,7 @@ impl Analysis {
             points: points.collect(),
             settings: Vec::new(),
             targets: Vec::new(),
+            words: Words::of(study, records),
             thresholds: thresholds::rows(study, records),
         };
         found.mark_fronts();

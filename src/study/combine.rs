@@ -91,6 +91,7 @@ mod tests {
             scene: String::new(),
             measure: Measure { figure: "errors.x".into(), against: Against::Exact },
             targets: Vec::new(),
+            word: None,
             combine,
             set: Vec::new(),
             resolution: Axis::default(),

@@ -19,6 +19,7 @@ pub mod settings;
 pub mod stored;
 pub mod sweep;
 pub mod thresholds;
+mod words;
 
 pub use points::{Sources, Study};
 pub use sweep::{Part, run};

@@ -23,6 +23,9 @@ pub struct Record {
     pub state_hash: String,
     /// Every number of its summary, by dotted keys.
     pub figures: Vec<(String, f64)>,
+    /// Every text of it.
+    #[serde(default)]
+    pub words: Vec<(String, String)>,
     #[serde(default)]
     pub warnings: Vec<Warning>,
 }
@@ -30,34 +33,47 @@ pub struct Record {
 impl Record {
     pub fn of(point: &Point, run: std::result::Result<&Summary, &Error>) -> Self {
         let identity = point.identity.clone();
+        let nothing = Self {
+            identity,
+            failed: String::new(),
+            state_hash: String::new(),
+            figures: Vec::new(),
+            words: Vec::new(),
+            warnings: Vec::new(),
+        };
         match run {
-            Ok(summary) => Self {
-                identity,
-                failed: String::new(),
-                state_hash: summary.state_hash.clone(),
-                figures: figures(summary),
-                warnings: summary.warnings.clone(),
-            },
-            Err(error) => {
-                let failed = error.to_string();
-                Self { identity, failed, state_hash: String::new(), figures: Vec::new(), warnings: Vec::new() }
+            Ok(summary) => {
+                let leaves = leaves(summary);
+                Self {
+                    state_hash: summary.state_hash.clone(),
+                    figures: leaves.iter().filter_map(|(key, leaf)| Some((key.clone(), leaf.as_f64()?))).collect(),
+                    words: leaves.iter().filter_map(|(key, leaf)| Some((key.clone(), leaf.as_str()?.into()))).collect(),
+                    warnings: summary.warnings.clone(),
+                    ..nothing
+                }
             }
+            Err(error) => Self { failed: error.to_string(), ..nothing },
         }
     }
 
     pub fn figure(&self, name: &str) -> Option<f64> {
         self.figures.iter().find(|(key, _)| key == name).map(|(_, value)| *value)
     }
+
+    pub fn word(&self, name: &str) -> Option<&str> {
+        self.words.iter().find(|(key, _)| key == name).map(|(_, word)| word.as_str())
+    }
 }
 
-fn figures(summary: &Summary) -> Vec<(String, f64)> {
-    fn collect(prefix: &str, value: &Value, found: &mut Vec<(String, f64)>) {
+/// What stands in a summary, by dotted keys.
+fn leaves(summary: &Summary) -> Vec<(String, Value)> {
+    fn collect(prefix: &str, value: &Value, found: &mut Vec<(String, Value)>) {
         match value {
             Value::Object(inner) => inner.iter().for_each(|(key, value)| {
                 let key = if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
                 collect(&key, value, found);
             }),
-            other => found.extend(other.as_f64().map(|number| (prefix.to_string(), number))),
+            other => found.push((prefix.to_string(), other.clone())),
         }
     }
     let mut found = Vec::new();
@@ -116,8 +132,8 @@ mod tests {
     #[test]
     fn figures_have_dotted_keys() {
         let errors = Figures(vec![("density_l1".into(), 0.02), ("nothing".into(), f64::NAN)]);
-        let found = figures(&Summary { steps: 7, errors, ..Default::default() });
-        let of = |name: &str| found.iter().find(|(key, _)| key == name).map(|(_, value)| *value);
+        let found = leaves(&Summary { steps: 7, errors, ..Default::default() });
+        let of = |name: &str| found.iter().find(|(key, _)| key == name).and_then(|(_, value)| value.as_f64());
         assert_eq!((of("steps"), of("errors.density_l1"), of("errors.nothing")), (Some(7.0), Some(0.02), None));
     }
 }

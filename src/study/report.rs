@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::analysis::{Analysis, Cheapest, Cost, Found, Setting};
+use super::measure::Against;
 use super::pareto::{ErrorCost, Known};
 use super::thresholds;
 use crate::error::{Error, Result};
@@ -22,6 +23,9 @@ pub fn write(analysis: &Analysis, directory: &Path) -> Result<()> {
         for (cost, name) in [(Cost::CoreSeconds, "core_seconds"), (Cost::Pairs, "pairs")] {
             or_warn(figure(analysis, cost).draw(&directory.join(format!("error_{name}.png"))));
         }
+    }
+    if let Some(words) = &analysis.words {
+        or_warn(words.figure(&analysis.title).draw(&directory.join("map.png")));
     }
     if analysis.thresholds.iter().any(|row| row.q_star_d.is_some()) {
         or_warn(thresholds::figure(&analysis.title, &analysis.thresholds).draw(&directory.join("q_star.png")));
@@ -58,7 +62,7 @@ pub fn print(analysis: &Analysis, directory: &Path, is_root: bool) {
 fn table(analysis: &Analysis) -> String {
     let mut text = String::from(
         "point,setting,spacing,particles,steps,figure,error,core_seconds,pair_interactions,wall_seconds,\
-         front_core_seconds,front_pairs,settings,failed,warnings\n",
+         front_core_seconds,front_pairs,word,settings,failed,warnings\n",
     );
     let number = |value: Option<f64>| value.map_or(String::new(), |x| format!("{x:e}"));
     let whole = |value: Option<f64>| value.map_or(String::new(), |x| format!("{x}"));
@@ -77,6 +81,7 @@ fn table(analysis: &Analysis) -> String {
             number(p.wall_seconds),
             (p.on_front_of_core_seconds as u8).to_string(),
             (p.on_front_of_pairs as u8).to_string(),
+            quoted(p.word.as_deref().unwrap_or_default()),
             quoted(&p.overrides.join("; ")),
             quoted(&p.failed),
             quoted(&warning::kinds(&p.warnings).join("; ")),
@@ -94,6 +99,9 @@ fn page(analysis: &Analysis) -> String {
     let _ = writeln!(text, "# {title}\n\n`{}`: {}.\n", analysis.scene.path, analysis.measure.describe());
     if !analysis.thresholds.is_empty() {
         let _ = writeln!(text, "{}\n![Q*_D over the radius](q_star.png)\n", thresholds::table(&analysis.thresholds));
+    }
+    if analysis.words.is_some() {
+        let _ = writeln!(text, "![Map of the outcomes](map.png)\n");
     }
     let _ = writeln!(
         text,
@@ -149,8 +157,8 @@ fn row(analysis: &Analysis, p: &Found) -> String {
         p.spacing,
         whole(p.particles),
         whole(p.steps),
-        p.figure.map_or("–".into(), |x| format!("{x:.4e}")),
-        p.error.map_or("reference".into(), percent),
+        p.figure.map(|x| format!("{x:.4e}")).or(p.word.clone()).unwrap_or_else(|| "–".into()),
+        p.error.map_or(if analysis.measure.against == Against::Nothing { "–" } else { "reference" }.into(), percent),
         short(p.core_seconds),
         short(p.pair_interactions),
         front.join(" ")

@@ -33,6 +33,9 @@ struct StudyTable {
     /// What is compared: a key of `errors` in summary.json, or any figure of it (`outcome.unbound_mass`) with `value` or `against`. Not
     /// needed where the scene has a `[threshold]`.
     error: Option<String>,
+    /// A word of summary.json that is told of each point (`fragments.outcome`); where the values of two things are combined, a map of it
+    /// is drawn. No `error` is needed beside it.
+    word: Option<String>,
     /// What the figure should be, SI or with a unit.
     #[schemars(with = "Option<NumberOrText>")]
     value: Option<Value>,
@@ -144,6 +147,8 @@ pub struct Settings {
     /// Relative to the study's file.
     pub scene: String,
     pub measure: Measure,
+    /// Dotted key of summary.json.
+    pub word: Option<String>,
     /// Errors for which the cheapest setting is named, largest first.
     pub targets: Vec<f64>,
     pub combine: Combine,
@@ -183,6 +188,7 @@ impl Settings {
         Ok(Self {
             measure: measure(document, &study)?,
             targets: targets(document, study.target.as_ref())?,
+            word: study.word,
             title: raw.title,
             scene: study.scene,
             combine: study.combine,
@@ -277,7 +283,7 @@ const THRESHOLD: &str = "threshold.q_star_d";
 
 fn measure(document: &Document, study: &StudyTable) -> Result<Measure> {
     let figure = match study.error.as_deref() {
-        None => THRESHOLD.to_string(),
+        None => study.word.clone().unwrap_or_else(|| THRESHOLD.to_string()),
         Some(error) if error.contains('.') => error.to_string(),
         Some(error) => format!("errors.{error}"),
     };
@@ -298,7 +304,7 @@ fn measure(document: &Document, study: &StudyTable) -> Result<Measure> {
         (Some(value), None) => Against::Value { value, uncertainty: uncertainty.unwrap_or(0.0).abs() },
         (None, Some(AgainstWord::Finest)) => Against::Finest,
         (None, None) if figure.starts_with("errors.") => Against::Exact,
-        (None, None) if figure.starts_with("threshold.") => Against::Nothing,
+        (None, None) if figure.starts_with("threshold.") || study.error.is_none() => Against::Nothing,
         (None, None) => {
             return Err(document
                 .error("study.error", format!("`{figure}` has nothing to be compared with"))

@@ -138,7 +138,9 @@ impl Sweep<'_> {
     fn check_figure(&self) -> Result<()> {
         let name = &self.study.settings.measure.figure;
         let mut done = self.records.iter().flatten().filter(|record| record.failed.is_empty());
-        let Some(record) = done.next().filter(|record| record.figure(name).is_none()) else { return Ok(()) };
+        let is_there = |record: &Record, name: &str| record.figure(name).is_some() || record.word(name).is_some();
+        let missing = |record: &&Record| !is_there(record, name);
+        let Some(record) = done.next().filter(missing) else { return Ok(()) };
         let table = name.split('.').next().unwrap_or_default();
         let known = record.figures.iter().map(|(key, _)| key).filter(|key| key.starts_with(table));
         let known: Vec<String> = known.map(|key| key.trim_start_matches("errors.").to_string()).collect();

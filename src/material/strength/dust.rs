@@ -100,20 +100,11 @@ fn returned_as_printed(stress: &Deviator, bearable: f64) -> Option<Deviator> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::testing::Rig;
-    use super::super::super::{MaterialTable, dust};
+    use super::super::super::dust;
+    use super::super::super::testing::{Rig, silica};
     use super::super::DEVIATORIC_STRESS;
     use super::*;
     use crate::math::Mat3;
-
-    fn silica(more: &str) -> MaterialTable {
-        toml::from_str(&format!(
-            "[eos.sirono]\nrho_s = 2000\nrho_i = 300\nK_0 = \"4.5 kPa\"\ngamma = 4\n{more}\n\
-             tension = {{ T_0 = 630.9573444801932, slope = 1.48 }}\n\
-             compression.powder = {{ p_m = 260, phi_1 = 0.12, phi_2 = 0.58, Delta = 0.58 }}\n"
-        ))
-        .unwrap()
-    }
 
     /// Simple shear: S_xy = mu times the shear until sqrt(3) S_xy = Y, 88.4 Pa at a filling factor of 0.15; as printed until
     /// sqrt(6) S_xy = Y, and an overshoot is cut back by as much below that.

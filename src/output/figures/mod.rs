@@ -3,6 +3,7 @@
 pub mod colours;
 pub mod curves;
 pub mod cut;
+pub mod map;
 pub mod raster;
 pub mod scale;
 pub mod trade_off;

@@ -375,7 +375,7 @@ mod tests {
             let Key { kind, default, allowed, .. } = key(table, name);
             [kind, default, allowed]
         };
-        assert_eq!(facts("numerics", "cfl"), ["number", "0.25", "0.001 to 1"]);
+        assert_eq!(facts("numerics", "cfl"), ["number", "0.25", "0.001 to 2"]);
         assert_eq!(facts("run", "checkpoint_every"), ["time (s)", "\"600 s\"", "more than 0"]);
         assert_eq!(facts("run", "until"), ["\"settled\" or time (s)", "\"settled\" for impacts", ""]);
         assert_eq!(facts("body", "velocity"), ["one speed (m/s), or a list", "", ""]);

@@ -51,7 +51,7 @@ pub struct NumericsTable {
     /// `rigid` body needs it.
     density_contrast: Option<bool>,
     /// Against single particles of a stiff body that oscillate across its surface until they shoot into soft matter (cannonballs): what is
-    /// in touch with matter of a larger `alpha` of viscosity has that alpha in all of its pairs.
+    /// in touch with matter of a larger `alpha` of viscosity takes that alpha; a pair has the mean of both.
     contact_viscosity: bool,
     /// Against clumping in tension.
     artificial_stress: Switch<ArtificialStressTable>,

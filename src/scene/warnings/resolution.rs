@@ -140,17 +140,16 @@ mod tests {
         scene.unresolved().into_iter().map(|warning| format!("{}: {}", warning.kind, warning.text)).collect()
     }
 
-    /// h / l_c = 3 of the paper, 31 neighbours, is told, 5.6 is not, and matter other than dust never.
+    /// h / l_c = 3 of the paper, 31 neighbours, is told, 5.6 is not, and a gas with as few never.
     #[test]
     fn dust_wants_neighbours() {
-        let kinds = |eta: &str, material: &str| {
-            let text = include_str!("../../../inputs/dust_compaction_2d.toml");
-            let overrides = [format!("numerics.eta={eta}"), format!("dust.material={material}")];
-            let scene = Scene::parse("dust.toml", text, &overrides).expect("a scene");
+        let kinds = |text: &str, eta: &str| {
+            let scene = Scene::parse("scene.toml", text, &[format!("numerics.eta={eta}")]).expect("a scene");
             scene.unresolved().into_iter().map(|warning| warning.kind.to_string()).collect::<Vec<_>>()
         };
-        assert_eq!(kinds("1.61", "silica_dust"), ["few_neighbours"]);
-        assert!(kinds("3", "silica_dust").is_empty() && kinds("1.61", "glass").is_empty());
+        let dust = include_str!("../../../inputs/dust_compaction_2d.toml");
+        assert_eq!(kinds(dust, "1.61"), ["few_neighbours"]);
+        assert!(kinds(dust, "3").is_empty() && kinds(include_str!("../../../inputs/blast_gas.toml"), "0.9").is_empty());
     }
 
     #[test]

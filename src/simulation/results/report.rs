@@ -106,7 +106,7 @@ pub fn draw_cut<const D: usize>(source: &PictureSource<D>, comm: &Comm) -> Resul
     // The projectile comes down in the plane of x and the face's normal; onto a sphere it moves in that of x and y.
     let up = face.map_or(1, |face| face.up);
     let of_impact = || Plane { origin, across: Vec3::x(), up: Vec3::ith(up, 1.0) };
-    let plane = plane_of_fall(scene).unwrap_or_else(of_impact);
+    let plane = plane_of_fall(scene).or_else(|| upright_plane(scene)).unwrap_or_else(of_impact);
     let picture = Picture {
         title: format!("{} (t = {:.4} s)", scene.title, source.time),
         plane,
@@ -123,6 +123,17 @@ fn plane_of_fall(scene: &Scene) -> Option<Plane> {
     let origin = Vec3::from(scene.bodies[fall.body].centre);
     let across = if fall.axis == 0 { Vec3::y() } else { Vec3::x() };
     Some(Plane { origin, across, up: Vec3::ith(fall.axis, 1.0) })
+}
+
+/// The plane of x and z where matter falls or flies along z, and no impact says otherwise.
+fn upright_plane(scene: &Scene) -> Option<Plane> {
+    if scene.impact.is_some() || scene.dimension == 2 {
+        return None;
+    }
+    let moving = scene.bodies.iter().map(|body| body.velocity).find(|v| v.iter().any(|x| *x != 0.0));
+    let along = scene.gravity.uniform.or(moving)?;
+    let origin = Vec3::from(scene.bodies[0].centre);
+    (Vec3::from(along).iamax() == 2).then_some(Plane { origin, across: Vec3::x(), up: Vec3::z() })
 }
 
 /// Whether angular momentum is conserved: not with walls, periodic axes or uniform gravity.

@@ -20,6 +20,10 @@ pub struct RigidTable {
     /// Whether it turns.
     #[schemars(extend("x-default" = "true, but with a `motion` false"))]
     pub rotation: Option<bool>,
+    /// Whether matter that deforms sticks to it: then tension acts across the contact as inside that matter; without, matter parts
+    /// from the body as from a free surface.
+    #[serde(default)]
+    pub adhesion: bool,
 }
 
 /// A validated rigid body; SI.
@@ -28,6 +32,7 @@ pub struct Rigid {
     /// m/s.
     pub sound_speed: f64,
     pub rotation: bool,
+    pub adhesion: bool,
 }
 
 /// Speed of sound of the contact over the fastest motion, where no matter deforms.
@@ -50,6 +55,7 @@ impl RigidTable {
         Self {
             sound_speed: self.sound_speed.or(usable.then(|| Speed::new(found))),
             rotation: self.rotation.or(Some(!held)),
+            adhesion: self.adhesion,
         }
     }
 }

@@ -39,5 +39,5 @@ pub fn validate(
         let what = "the body has a spin, but does not turn";
         return Err(document.error(&format!("{path}.spin"), what).allowed("rigid = { rotation = true }, or no spin"));
     }
-    Ok(Rigid { sound_speed: sound_speed.0, rotation })
+    Ok(Rigid { sound_speed: sound_speed.0, rotation, adhesion: rigid.adhesion })
 }

@@ -1,0 +1,47 @@
+"""Dust: compaction by a bead that falls, bouncing, fragmentation, as in Geretshauser et al. 2010, beside the paper and experiments."""
+
+import json
+
+from common import page
+from validation.dust import bouncing, compaction, fragmentation, price
+
+PAGE = "dust.md"
+BY_NAME = True
+FROM_SOME = True
+
+KEPT = page.FOLDER / "dust.json"
+"""Figures of every run that was ever made, so that the page does not need all of them at once."""
+
+SECTIONS = (compaction, price, bouncing, fragmentation)
+
+
+def runs():
+    return [run for section in SECTIONS for run in section.runs()]
+
+
+def figures(summary):
+    """What the page needs of a summary."""
+    own = {key: summary[key] for key in ("particles", "steps", "core_seconds", "pair_interactions", "time", "momentum_drift")}
+    return own | {key: summary[key] for key in ("intrusion", "restitution", "fragments") if key in summary}
+
+
+def write(found):
+    kept = json.loads(KEPT.read_text()) if KEPT.exists() else {}
+    asked = {run.name: run.stamp() for run in runs()}
+    kept |= {name: {"of": asked[name], **figures(summary)} for name, summary in found.items()}
+    KEPT.write_text(json.dumps(dict(sorted(kept.items())), indent=1) + "\n")
+    known = {name: row for name, row in kept.items() if asked.get(name) == row["of"]}
+    text, failures = [INTRODUCTION.format(there=len(known), all=len(asked))], []
+    for section in SECTIONS:
+        parts, wrong = section.write(known)
+        text += parts
+        failures += wrong
+    return text, failures
+
+
+INTRODUCTION = """# Dust
+
+Written by `scripts/validate dust`; nothing is edited by hand ({there} of {all} runs are there; `scripts/validate dust --list` tells what the others
+cost). Figures of the paper are those of Geretshauser et al. 2010, A&A 513, A58; experiments those of Guettler et al. 2009, Weidling et al.
+2009, Heisselmann et al. 2007. The paper's smoothing length is the whole support of the kernel, 2 h here: where h / l_c is
+written, it is the paper's. Depths below the first surface of the dust."""

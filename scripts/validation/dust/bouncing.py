@@ -1,0 +1,74 @@
+"""A dust aggregate bounces off a plate (Sect. 5.2, Fig. 18)."""
+
+import matplotlib.pyplot as plt
+
+from common import page
+from common.runs import Run
+from validation.dust.compaction import SIRONO
+
+SCENE = "dust_bouncing.toml"
+MODULI = {0.26: (1, 2, 5, 10, 20, 100), 1.3: (1, 5, 20, 100, 300)}
+"""kPa, by p_m in kPa."""
+
+
+def bounce(p_m, modulus, spacing=25, more=(), name=""):
+    own = [f'{SIRONO}.compression.powder.p_m="{p_m} kPa"', f'{SIRONO}.K_0="{modulus} kPa"']
+    if spacing != 25:
+        own += [f'aggregate.spacing="{spacing} um"', f'plate.spacing="{spacing} um"', f'aggregate.position=[0,0,"{0.5 + 1e-3 * spacing:g} mm"]']
+    guess = 800 * (modulus / 5) ** 0.5 * (25 / spacing) ** 4
+    return Run(f"dust/bounce{name}_{p_m}_{modulus}_{spacing:g}um", SCENE, [*own, *more], guess=guess)
+
+
+SWEEP = {(p_m, modulus): bounce(p_m, modulus) for p_m, moduli in MODULI.items() for modulus in moduli}
+SPACINGS = {spacing: bounce(0.26, 5, spacing) for spacing in (50, 25, 12.5)}
+GAMMA = {gamma: bounce(0.26, 5, 50, [f"{SIRONO}.gamma={gamma}"], f"_gamma_{gamma}") for gamma in (2, 3, 4, 5, 6)}
+PAPER = {(0.26, 5): "0.19", (0.26, 500): "0.09", (1.3, 1): "0.7", (1.3, 20): "0.2", (1.3, 300): "0.13"}
+
+
+def runs():
+    return list({run.name: run for sweep in (SPACINGS, GAMMA, SWEEP) for run in sweep.values()}.values())
+
+
+HEAD = ["restitution", "energy lost", "contact", "particles", "steps", "core-s"]
+
+
+def cells(row):
+    if row is None:
+        return ["not run", *[""] * (len(HEAD) - 1)]
+    found = row.get("restitution") or {}
+    if found.get("coefficient") is None:
+        return ["none: they stick", "", "", row["particles"], row["steps"], f"{row['core_seconds']:.0f}"]
+    time = 1e3 * (found["contact_end"] - found["contact_begin"]) if found.get("contact_end") else float("nan")
+    return [f"{found['coefficient']:.3f}", f"{100 * found['energy_loss']:.1f} %", f"{time:.2f} ms", row["particles"], row["steps"], f"{row['core_seconds']:.0f}"]
+
+
+def write(known):
+    sweep = [[p_m, k, *cells(known.get(run.name)), PAPER.get((p_m, k), "")] for (p_m, k), run in SWEEP.items()]
+    parts = [
+        TEXT, page.table(["p_m, kPa", "K_0, kPa", *HEAD, "paper"], sweep),
+        "Over the spacing, p_m = 0.26 kPa, K_0 = 5 kPa:", page.table(["l_c, um", *HEAD], [[key, *cells(known.get(run.name))] for key, run in SPACINGS.items()]),
+        "The exponent gamma, which the paper does not print, at 50 um:", page.table(["gamma", *HEAD], [[key, *cells(known.get(run.name))] for key, run in GAMMA.items()]),
+    ]
+    draw(known)
+    return [*parts, "![Restitution over the bulk modulus](dust_bouncing.png)"], []
+
+
+def draw(known):
+    figure, axis = plt.subplots(figsize=(5, 3.6))
+    for p_m, moduli in MODULI.items():
+        points = [(k, (known.get(SWEEP[p_m, k].name) or {}).get("restitution")) for k in moduli]
+        points = [(k, found["coefficient"]) for k, found in points if found and found.get("coefficient") is not None]
+        if points:
+            axis.semilogx(*zip(*points), "o-", label=f"p_m = {p_m} kPa")
+    paper = [(k, float(value), p_m) for (p_m, k), value in PAPER.items()]
+    axis.semilogx([k for k, _, _ in paper], [value for _, value, _ in paper], "kx", label="paper")
+    axis.axhline(0.2, color="0.5", linestyle="--", label="experiment")
+    axis.set(xlabel="K_0, kPa", ylabel="coefficient of restitution")
+    axis.legend(fontsize=8)
+    axis.grid(True, alpha=0.3)
+    page.save(figure, "dust_bouncing.png")
+
+
+TEXT = """## Bouncing
+
+`inputs/dust_bouncing.toml`: an aggregate of 1 mm at 0.2 m/s on a rigid plate, l_c = 25 um. Experiments: 0.2, 95 % of the energy lost."""

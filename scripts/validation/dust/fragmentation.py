@@ -1,0 +1,77 @@
+"""A dust aggregate breaks on a plate (Sect. 5.3, Fig. 19, table 5)."""
+
+import matplotlib.pyplot as plt
+
+from common import page
+from common.runs import Run
+from validation.dust.compaction import SIRONO
+
+SCENE = "dust_fragmentation.toml"
+PAPER = {3: (0.361, 0.200), 3.5: (0.429, 0.172), 4: (0.518, 0.230), 4.25: (0.523, 0.194), 4.5: (0.673, 0.234), 4.75: (0.834, 0.196),
+         5: (0.832, 0.198), 5.5: (0.836, 0.220), 6: (2.027, 0.171), 6.5: (0.910, 0.390)}
+"""K_0, kPa: slope and largest fragment."""
+
+
+def impact(modulus, spacing=8, more=(), name=""):
+    own = [f'{SIRONO}.K_0="{modulus} kPa"']
+    if spacing != 8:
+        own += [f'aggregate.spacing="{spacing} um"', f'plate.spacing="{spacing} um"', f'aggregate.position=[0,0,"{-0.285 - 1e-3 * spacing:g} mm"]']
+    return Run(f"dust/fragments{name}_{modulus}_{spacing:g}um", SCENE, [*own, *more], guess=4500 * (8 / spacing) ** 4 * (modulus / 4.5) ** 0.5)
+
+
+COARSE = 12
+SWEEP = {modulus: impact(modulus, COARSE) for modulus in PAPER}
+FINE = {modulus: impact(modulus) for modulus in (4.5,)}
+TURNED = {seed: impact(4.5, COARSE, [f"aggregate.orientation={{ seed = {seed} }}"], f"_turned_{seed}") for seed in (1, 2, 3)}
+GAMMA = {gamma: impact(4.5, COARSE, [f"{SIRONO}.gamma={gamma}"], f"_gamma_{gamma}") for gamma in (2, 3, 5, 6)}
+
+
+def runs():
+    return [run for sweep in (FINE, SWEEP, TURNED, GAMMA) for run in sweep.values()]
+
+
+HEAD = ["slope", "scatter", "largest", "second", "pieces of 10 and more", "particles", "steps", "core-s"]
+
+
+def cells(row):
+    if row is None:
+        return ["not run", *[""] * (len(HEAD) - 1)]
+    found = row["fragments"]
+    number = lambda key: "–" if found.get(key) is None else f"{found[key]:.3f}"
+    return [f"{number('slope')} ± {number('slope_error')}", number("slope_scatter"), number("largest"), number("second_largest"), found["resolved_pieces"],
+            row["particles"], row["steps"], f"{row['core_seconds']:.0f}"]
+
+
+def write(known):
+    lines = [[k, *cells(known.get(run.name)), *(f"{x:.3f}" for x in PAPER[k])] for k, run in SWEEP.items()]
+    fine = [[k, *cells(known.get(run.name)), *(f"{x:.3f}" for x in PAPER[k])] for k, run in FINE.items()]
+    head = ["K_0, kPa", *HEAD, "paper: slope", "largest"]
+    parts = [
+        TEXT, page.table(head, fine), f"Over the bulk modulus, at l_c = {COARSE} um:", page.table(head, lines),
+        "Other orientations of the lattice, K_0 = 4.5 kPa:", page.table(["seed", *HEAD], [[key, *cells(known.get(run.name))] for key, run in TURNED.items()]),
+        "The exponent gamma:", page.table(["gamma", *HEAD], [[key, *cells(known.get(run.name))] for key, run in GAMMA.items()]),
+    ]
+    draw(known)
+    return [*parts, "![Slope over the bulk modulus](dust_fragmentation.png)"], []
+
+
+def draw(known):
+    figure, axes = plt.subplots(1, 2, figsize=(8, 3.4))
+    for axis, key, paper in zip(axes, ("slope", "largest"), (0, 1)):
+        points = [(k, known[run.name]["fragments"].get(key)) for k, run in SWEEP.items() if run.name in known]
+        points = [point for point in points if point[1] is not None]
+        if points:
+            axis.plot(*zip(*points), "o-", label=f"ours, {COARSE} um")
+        axis.plot(list(PAPER), [value[paper] for value in PAPER.values()], "kx", label="paper")
+        axis.axhline((0.67, 0.22)[paper], color="0.5", linestyle="--", label="experiment")
+        axis.set(xlabel="K_0, kPa", ylabel=("slope of the cumulative mass", "share of the largest")[paper])
+        axis.grid(True, alpha=0.3)
+    axes[0].legend(fontsize=8)
+    figure.tight_layout()
+    page.save(figure, "dust_fragmentation.png")
+
+
+TEXT = """## Fragmentation
+
+`inputs/dust_fragmentation.toml`: an aggregate of 0.57 mm, filling factor 0.35, at 8.4 m/s on a rigid plate, after 0.8 ms; pieces are apart where
+particles are farther than 2 h from each other. Experiments: a slope of 0.67, 0.22 of the mass in the largest."""
