@@ -1,5 +1,7 @@
 //! Two rates in one run: what bodies of both give each other, its order, the same bits on any ranks, and what it saves.
 
+use std::sync::LazyLock;
+
 use sph_mpi::domain::comm::Comm;
 use sph_mpi::math::Vec3;
 
@@ -125,7 +127,7 @@ fn two_rates_are_of_second_order() {
     ranks(1, "rates::two_rates_are_of_second_order", |comm| {
         let exact = velocities(&bar(&[ONE_RATE], 3200, comm));
         let (mut errors, mut drifts) = (Vec::new(), Vec::new());
-        for steps in [50, 100, 200] {
+        for steps in [100, 200, 400] {
             let at_start = bar(&[], 0, comm).stepper.totals();
             let mut run = bar(&[], steps, comm);
             let totals = run.stepper.totals();
@@ -135,7 +137,7 @@ fn two_rates_are_of_second_order() {
         let orders = |errors: &[f64]| [0, 1].map(|k: usize| (errors[k] / errors[k + 1]).log2());
         println!("errors {errors:?} m/s, orders {:.3?}", orders(&errors));
         println!("drifts {drifts:?}, orders {:.3?}", orders(&drifts));
-        assert!(orders(&errors).iter().all(|order| (1.7..3.0).contains(order)), "{errors:?}");
+        assert!(orders(&errors).iter().all(|order| (1.7..2.5).contains(order)), "{errors:?}");
         assert!(orders(&drifts).iter().all(|order| *order > 1.7), "{drifts:?}");
     });
 }
@@ -217,9 +219,13 @@ fn one_rate_has_no_trace_of_two() {
     });
 }
 
+/// A ball of nylon, which takes four small steps.
+static NYLON: LazyLock<String> =
+    LazyLock::new(|| BALL.replace("160 GPa", "1 GPa").replace("80 GPa", "500 MPa").replace("\"0.3 ms\"", "\"0.1 ms\""));
+
 #[test]
 fn two_rates_have_the_same_bits_on_any_ranks() {
-    let (_, summary) = compare_scene("rates", BALL);
+    let (_, summary) = compare_scene("rates", &NYLON);
     println!("{} steps, momentum {}", summary["steps"], summary["momentum_drift"]);
     assert!(summary["momentum_drift"].as_f64().is_some_and(|drift| drift < 1e-12), "{}", summary["momentum_drift"]);
     assert!(summary["step_state"]["small"].as_f64().is_some_and(|small| small > 0.0), "{}", summary["step_state"]);

@@ -414,7 +414,7 @@ fn work_of_step(scene: &Scene, plan: &Plan, dt: f64) -> f64 {
     let Some(rates) = &plan.two_rates else { return 1.0 };
     let speed = scene.impact.as_ref().map_or(0.0, |impact| impact.speed);
     let (small, _) = step_of(true, scene, plan, speed);
-    let asked = libm::exp2(libm::log2(dt / small).ceil()).max(1.0);
+    let asked = (dt / small).ceil().max(1.0);
     let small_steps = rates.steps.map_or(asked, f64::from);
     let all: u64 = plan.constants.iter().map(|body| body.particles).sum();
     let fast = plan.constants.iter().zip(&rates.bodies).filter(|(_, fast)| **fast);
@@ -510,7 +510,7 @@ mod tests {
         let (large, body) = step(&two, &plan, 5e3);
         let (small, _) = step_of(true, &two, &plan, 5e3);
         assert!(body == "target" && small == dt && large > dt, "{body} {small} {large} {dt}");
-        let steps = libm::exp2(libm::log2(large / small).ceil());
+        let steps = (large / small).ceil();
         assert_eq!(work_of_step(&two, &plan, large), 1.0 + 0.5 * (steps - 1.0));
         let (given, plan) = scene(&["two_rates={ fast = [\"projectile\"], steps = 64 }"]);
         assert_eq!(work_of_step(&given, &plan, large), 32.5);

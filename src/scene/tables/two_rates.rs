@@ -11,7 +11,7 @@ use crate::scene::document::source::Document;
 use crate::scene::tables::body::validated::Body;
 use crate::scene::tables::gravity::GravitySettings;
 
-/// For a stiff or fine body in soft or coarse matter: it takes 2^k small steps in each step of the rest, with what is in touch with it. What
+/// For a stiff or fine body in soft or coarse matter: it takes several small steps in each step of the rest, with what is in touch with it. What
 /// they give each other keeps momentum exactly, and energy to second order of the step.
 #[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -21,7 +21,7 @@ pub struct TwoRatesTable {
     /// How many parts of a target that `impact.refine` makes finer take them, too, the finest first.
     #[serde(default)]
     parts: u32,
-    /// Small steps in each step of the rest, a power of two; as many as the bodies' own limits ask for without it.
+    /// Small steps in each step of the rest; as many as the bodies' own limits ask for without it.
     #[schemars(range(min = STEPS[0], max = STEPS[1]))]
     steps: Option<u32>,
 }
@@ -67,11 +67,11 @@ impl TwoRatesTable {
             return Err(error.allowed("some bodies of a scene, not all"));
         }
         if let Some(steps) = self.steps
-            && !(steps.is_power_of_two() && (STEPS[0]..=STEPS[1]).contains(&steps))
+            && !(STEPS[0]..=STEPS[1]).contains(&steps)
         {
             let [least, most] = STEPS;
             let error = document.error("two_rates.steps", format!("{steps} small steps"));
-            return Err(error.allowed(format!("powers of two from {least} to {most}")));
+            return Err(error.allowed(format!("{least} to {most}")));
         }
         combines(document, matter)?;
         Ok(TwoRates { fast, steps: self.steps })
@@ -114,7 +114,7 @@ mod tests {
         let rates = |changes: &[&str]| parse(changes).unwrap_or_else(|e| panic!("{e}")).two_rates;
         let found = rates(&[]).expect("two rates");
         assert_eq!((found.fast, found.steps), (vec![true, false], None));
-        assert_eq!(rates(&["two_rates.steps=64"]).expect("two rates").steps, Some(64));
+        assert_eq!(rates(&["two_rates.steps=60"]).expect("two rates").steps, Some(60));
         assert_eq!(rates(&["two_rates=false"]), None);
         let again = Scene::parse("s.toml", &parse(&[]).expect("a scene").to_toml(), &[]).expect("as understood");
         assert_eq!(again.two_rates, rates(&[]));
@@ -126,7 +126,7 @@ mod tests {
             ("two_rates.fast=[\"beat\"]", "unknown body `beat`"),
             ("two_rates.fast=[]", "all bodies take the same steps (allowed: some bodies"),
             ("two_rates.fast=[\"bead\", \"bed\"]", "all bodies take the same steps (allowed: some bodies"),
-            ("two_rates.steps=3", "3 small steps (allowed: powers of two from 2 to 16384)"),
+            ("two_rates.steps=1", "1 small steps (allowed: 2 to 16384)"),
             ("two_rates.parts=1", "1 parts of a target take small steps, but there are 0 (allowed: 0 to 0)"),
             ("numerics.integrator=runge_kutta", "an integrator that may refuse steps and two rates cannot be combined"),
             ("gravity.self=true", "gravity of particles on each other and two rates"),

@@ -90,7 +90,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
 }
 
 /// Whether energy is accounted for: cold matter does not record what it takes up.
-fn has_balance(scene: &Scene) -> bool {
+pub fn has_balance(scene: &Scene) -> bool {
     let mut deforming = scene.bodies.iter().filter(|body| body.rigid.is_none()).peekable();
     // What rigid bodies take up by their contact is cold, too, and recorded where others have heat.
     deforming.peek().is_some() && deforming.all(|body| !scene.materials[body.material].eos.law().is_cold())

@@ -9,7 +9,7 @@ use crate::particles::{Column, ColumnInfo, Columns, Life, Registry};
 pub struct RateSettings {
     /// Whether each body is fast.
     pub bodies: Vec<bool>,
-    /// Small steps in a large one, a power of two; by their limits without it.
+    /// Small steps in a large one; by their limits without it.
     pub steps: Option<u32>,
     pub columns: RateColumns,
 }

@@ -13,7 +13,7 @@
 //! rest, n = 128, blows up without it; with one soft particle in it energy stays within 3 % over 3000 / w (w the frequency of
 //! the soft springs) at w dt = 0.4 and within 0.5 % at 0.2, and no better with two.
 //!
-//! **A large step** of dt is the sum of n = 2^k small ones of d_m, m = 1 ... n. At the end of each but the last
+//! **A large step** of dt is the sum of n small ones of d_m, m = 1 ... n. At the end of each but the last
 //!
 //! ```text
 //! fast    make a whole step of d_m: predicted, evaluated with all of their neighbours, corrected, committed
@@ -46,13 +46,13 @@
 //! does in the motion of the edge; for it to be small is what the soft layer of fast particles is for. Density, stress and the
 //! velocity gradient of slow particles follow from all neighbours, once in dt.
 //!
-//! **Lengths.** Slow particles limit dt, fast ones d, each by its own limits; both are global. n is the least power of two with
+//! **Lengths.** Slow particles limit dt, fast ones d, each by its own limits; both are global. n is the least with
 //! dt/n <= d at the beginning of the large step; after each small step the rest is halved where d has become shorter than what
 //! they take (not where the scene gives n). All ranks know the same limits, so that they agree. A checkpoint lies between large
 //! steps and needs of this only d (`StepState`).
 //!
 //! **Lists** hold from one large step to the next, as without small ones: they are watched when all particles stand at the end
-//! of it. So matter that flies into each other limits the large step even where all of it is fast (`closing`): 2^k small steps
+//! of it. So matter that flies into each other limits the large step even where all of it is fast (`closing`): small steps
 //! are gained in matter that moves by less than its skin in a large one.
 //!
 //! **Ranks.** In each small step the records of ghosts that are fast or of the edge are exchanged, and ranks reduce whether
