@@ -147,6 +147,29 @@ kernel = "cubic_spline"
 until = "20 ms"
 "#;
 
+/// Off a rigid disc the other one bounces; what has parted need not be followed to the end.
+#[test]
+fn a_bounce_ends_the_run() {
+    let more = [
+        "right.material=glass",
+        "right.rigid=true",
+        "numerics.contact_viscosity=true",
+        "fragments=false",
+        "run.until=8 ms",
+    ];
+    let found = ["restitution.ends_run=false", "restitution.ends_run=true"].map(|ends| {
+        let dir = tempfile::tempdir().expect("a directory");
+        let sets: Vec<&str> = more.iter().chain([&ends]).flat_map(|&set| ["--set", set]).collect();
+        run(1, dir.path(), DISCS, &sets).run().expect_code(0);
+        summary(&dir.path().join("run"))
+    });
+    let [whole, short] =
+        found.each_ref().map(|found| ["/time", "/restitution/coefficient"].map(|of| figure(found, of)));
+    println!("coefficients {} and {}, at {} and {} s", whole[1], short[1], whole[0], short[0]);
+    assert!(whole[0] == 8e-3 && (3e-3..5e-3).contains(&short[0]), "{whole:?} {short:?}");
+    assert!(short[1] > 0.02 && (short[1] - whole[1]).abs() < 2e-3, "{whole:?} {short:?}");
+}
+
 #[test]
 fn two_aggregates_collide() {
     let dirs = [(); 2].map(|()| tempfile::tempdir().expect("a directory"));

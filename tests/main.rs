@@ -40,6 +40,7 @@ mod pay_for_use;
 mod ranks;
 mod ranks_domain;
 mod ranks_outcome;
+mod rates;
 mod refined;
 mod rest;
 mod restart;

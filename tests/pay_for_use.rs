@@ -66,6 +66,8 @@ const ELASTIC_PORES: [(&str, usize); 1] = [("unloaded_distention", 1)];
 const RECORDS: [(&str, usize); 3] = [("peak_pressure", 1), ("melt_fraction", 1), ("vapour_fraction", 1)];
 const VARIABLE_H: [(&str, usize); 2] = [("smoothing_length", 1), ("build_smoothing_length", 1)];
 
+const TWO_RATES: [(&str, usize); 4] = [("fast", 1), ("near_fast", 1), ("fast_acceleration", 3), ("fast_heating", 1)];
+
 /// A scene and what it may hold.
 struct Case {
     name: &'static str,
@@ -141,6 +143,7 @@ fn cases() -> Vec<Case> {
             tensile,
             6 + 6 + 1 + 6,
         ),
+        case("+ two rates", "two_rates.fast = [\"left\"]", false, with(&TWO_RATES), tensile, 6 + 6 + 1 + 6),
     ]
 }
 

@@ -88,6 +88,18 @@ pub struct Ghosts {
     pub words: usize,
     /// D numbers for each of `send_indices`: from the particle to its image, m. Empty without periodic axes.
     pub send_shifts: Vec<f64>,
+    /// How many particles go to which ranks, and come from which, in the order of messages.
+    sends: Vec<(usize, usize)>,
+    receives: Vec<(usize, usize)>,
+}
+
+/// Messages that bring the records of some ghosts alone.
+pub struct SomeGhosts {
+    /// Numbers among all that go out.
+    pub sent: Vec<u32>,
+    /// Numbers among all that come in.
+    pub received: Vec<u32>,
+    pub exchange: Exchange,
 }
 
 impl Ghosts {
@@ -122,17 +134,48 @@ impl Ghosts {
             }
             if !message.is_empty() {
                 messages.push((rank, message));
-                sends.push((rank, (send_indices.len() - start) * words));
+                sends.push((rank, send_indices.len() - start));
             }
         }
         let (mut incoming, mut receives) = (Vec::new(), Vec::new());
         for (rank, message) in comm.sparse_exchange(messages) {
             let sites = message.chunks_exact(D + 2).map(from_words);
-            receives.push((rank, sites.len() * words));
+            receives.push((rank, sites.len()));
             incoming.extend(sites);
         }
-        (Self { send_indices, exchange: Exchange::new(comm, &sends, &receives), words, send_shifts }, incoming)
+        let exchange = exchange_of(words, &sends, &receives, comm);
+        (Self { send_indices, exchange, words, send_shifts, sends, receives }, incoming)
     }
+
+    /// Messages of some particles: those of all that go out and come in for which this is true. Sender and receiver must agree. Collective.
+    pub fn some(
+        &self,
+        is_sent: impl Fn(usize) -> bool,
+        is_received: impl Fn(usize) -> bool,
+        comm: &Comm,
+    ) -> SomeGhosts {
+        let (sent, sends) = chosen(&self.sends, is_sent);
+        let (received, receives) = chosen(&self.receives, is_received);
+        SomeGhosts { sent, received, exchange: exchange_of(self.words, &sends, &receives, comm) }
+    }
+}
+
+/// Messages of so many particles, each of so many numbers.
+fn exchange_of(words: usize, sends: &[(usize, usize)], receives: &[(usize, usize)], comm: &Comm) -> Exchange {
+    let numbers = |all: &[(usize, usize)]| all.iter().map(|&(rank, n)| (rank, n * words)).collect::<Vec<_>>();
+    Exchange::new(comm, &numbers(sends), &numbers(receives))
+}
+
+/// The numbers of the particles that are chosen, and how many are left for each rank, if any.
+fn chosen(all: &[(usize, usize)], is_chosen: impl Fn(usize) -> bool) -> (Vec<u32>, Vec<(usize, usize)>) {
+    let (mut numbers, mut left, mut start) = (Vec::new(), Vec::new(), 0);
+    for &(rank, count) in all {
+        let before = numbers.len();
+        numbers.extend((start..start + count).filter(|&k| is_chosen(k)).map(|k| k as u32));
+        left.extend((numbers.len() > before).then(|| (rank, numbers.len() - before)));
+        start += count;
+    }
+    (numbers, left)
 }
 
 fn to_words<const D: usize>(site: &Site<D>) -> impl Iterator<Item = u64> {
@@ -175,5 +218,13 @@ mod tests {
         assert!(
             nobody.is_empty() && !nobody.needs(&at(0.0, 1e9)) && !extent.may_need(&nobody) && !nobody.may_need(&extent)
         );
+    }
+
+    #[test]
+    fn some_of_each_message_are_chosen() {
+        let all = [(3, 4), (5, 2), (7, 3)];
+        assert_eq!(chosen(&all, |k| k % 2 == 0), (vec![0, 2, 4, 6, 8], vec![(3, 2), (5, 1), (7, 2)]));
+        assert_eq!(chosen(&all, |k| k == 8), (vec![8], vec![(7, 1)]));
+        assert_eq!(chosen(&all, |_| false), (vec![], vec![]));
     }
 }

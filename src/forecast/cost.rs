@@ -98,6 +98,7 @@ fn effects(scene: &Scene, plan: &Plan) -> String {
         ("artificial_stress", t.artificial_stress()),
         ("angular_momentum", t.angular_momentum()),
         ("density_contrast", t.contrast()),
+        ("two_rates", plan.two_rates.is_some()),
     ];
     terms.iter().filter(|(_, on)| *on).for_each(|(name, _)| row(name));
     format!("\n{}", aligned(&rows))
@@ -264,15 +265,16 @@ struct RunForecast<'a> {
 impl<'a> RunForecast<'a> {
     fn new(scene: &'a Scene, plan: &Plan, footprint: &Footprint, pace: &Pace, cost: &Step) -> Self {
         let StepForecast { first, limiting, dt, end, why, steps, .. } = StepForecast::new(scene, plan);
-        let (files, bytes) = output(scene, plan, footprint.particles, end, steps * cost.wall());
+        let work = steps * work_of_step(scene, plan, dt);
+        let (files, bytes) = output(scene, plan, footprint.particles, end, work * cost.wall());
         let writing = bytes / pace.machine.files;
         let inside = libm::pow(1.0 + scene.numerics.skin, -(scene.dimension as f64));
         let price = PredictedCost {
             particles: footprint.particles,
             steps,
-            wall_seconds: steps * cost.wall() + writing,
-            core_seconds: steps * footprint.ranks as f64 * cost.work(),
-            pair_interactions: steps * footprint.particles as f64 * footprint.neighbours * inside,
+            wall_seconds: work * cost.wall() + writing,
+            core_seconds: work * footprint.ranks as f64 * cost.work(),
+            pair_interactions: work * footprint.particles as f64 * footprint.neighbours * inside,
         };
         Self { first, limiting, dt, end, why, files, bytes, writing, price }
     }
@@ -400,9 +402,31 @@ fn output(scene: &Scene, plan: &Plan, particles: u64, end: f64, wall: f64) -> (S
     (format!("{snapshots} snapshots, {checkpoints} checkpoint{s}"), bytes)
 }
 
-/// The step that the signal speed allows where particles approach with this speed, s, and the body that limits it.
+/// The step that the signal speed allows where particles approach with this speed, s, and the body that limits it: of those that do
+/// not take small steps.
 fn step<'a>(scene: &'a Scene, plan: &Plan, approach: f64) -> (f64, &'a str) {
-    let steps = plan.constants.iter().enumerate().map(|(number, constants)| {
+    step_of(false, scene, plan, approach)
+}
+
+/// Evaluations of all particles that a step of `dt` seconds is worth: more than one, where some bodies take small steps. What touches
+/// them is left out.
+fn work_of_step(scene: &Scene, plan: &Plan, dt: f64) -> f64 {
+    let Some(rates) = &plan.two_rates else { return 1.0 };
+    let speed = scene.impact.as_ref().map_or(0.0, |impact| impact.speed);
+    let (small, _) = step_of(true, scene, plan, speed);
+    let asked = (dt / small).ceil().max(1.0);
+    let small_steps = rates.steps.map_or(asked, f64::from);
+    let all: u64 = plan.constants.iter().map(|body| body.particles).sum();
+    let fast = plan.constants.iter().zip(&rates.bodies).filter(|(_, fast)| **fast);
+    let share = fast.map(|(body, _)| body.particles).sum::<u64>() as f64 / all as f64;
+    1.0 + share * (small_steps - 1.0)
+}
+
+/// The step of those bodies that take small ones, or of the others.
+fn step_of<'a>(fast: bool, scene: &'a Scene, plan: &Plan, approach: f64) -> (f64, &'a str) {
+    let is_fast = |number: usize| plan.two_rates.as_ref().is_some_and(|rates| rates.bodies[number]);
+    let bodies = plan.constants.iter().enumerate().filter(|(number, _)| is_fast(*number) == fast);
+    let steps = bodies.map(|(number, constants)| {
         let body = &scene.bodies[number];
         let (viscosity, sound) = (plan.view.material_viscosity(number), scales::sound_speed(scene, number));
         let dt = time_step::cfl(scene.numerics.cfl, constants.smoothing_length, sound, viscosity, approach);
@@ -474,6 +498,22 @@ mod tests {
             ["fracture", "record", "viscosity", "smoothing_length"].iter().all(|name| !text.contains(name)),
             "{text}"
         );
+    }
+
+    /// Both have a thousand particles, so that those of the projectile are closer.
+    #[test]
+    fn small_steps_of_some_bodies_are_counted() {
+        let (plain, plan) = scene(&[]);
+        let (dt, body) = step(&plain, &plan, 5e3);
+        assert_eq!((body, work_of_step(&plain, &plan, dt)), ("projectile", 1.0));
+        let (two, plan) = scene(&["two_rates.fast=[\"projectile\"]"]);
+        let (large, body) = step(&two, &plan, 5e3);
+        let (small, _) = step_of(true, &two, &plan, 5e3);
+        assert!(body == "target" && small == dt && large > dt, "{body} {small} {large} {dt}");
+        let steps = (large / small).ceil();
+        assert_eq!(work_of_step(&two, &plan, large), 1.0 + 0.5 * (steps - 1.0));
+        let (given, plan) = scene(&["two_rates={ fast = [\"projectile\"], steps = 64 }"]);
+        assert_eq!(work_of_step(&given, &plan, large), 32.5);
     }
 
     #[test]

@@ -91,7 +91,8 @@ fn measure_in<const D: usize>(
     let alone = comm.alone();
     let columns = block(scene, &plan, edge);
     // The block is matter in open space, whatever the boundaries of the scene.
-    let settings = StepSettings { periods: Periods::OPEN, motions: None, rigid: None, ..plan.settings(scene) };
+    let settings =
+        StepSettings { periods: Periods::OPEN, motions: None, rigid: None, two_rates: None, ..plan.settings(scene) };
     let mut stepper = Stepper::<D>::new(&alone, columns, settings);
     let as_error = |failure: Failure| failure.error(|body| &scene.bodies[body].name);
     let mut times = Times::default();

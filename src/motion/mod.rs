@@ -135,6 +135,21 @@ impl Motions {
         matches!(motion, PrescribedMotion::Prescribed(_))
     }
 
+    /// Changes the velocity of particle `i` by `change`, m/s, as far as its motion follows; the rest is impulse and work of its motion.
+    pub fn push(&self, columns: &mut Columns, velocity: Column<Vec3>, i: usize, body: usize, change: Vec3) {
+        let layer = self.layer.map_or(0, |column| columns.get(column, i) as usize);
+        let motion = if layer == 0 { &self.bodies[body] } else { &self.layers[layer - 1] };
+        let followed = match motion {
+            PrescribedMotion::Free | PrescribedMotion::Damped { .. } => change,
+            PrescribedMotion::Prescribed(_) => Vec3::zeros(),
+            PrescribedMotion::Along(along) => Vec3::from_fn(|k, _| if along[k] { change[k] } else { 0.0 }),
+        };
+        let (v, kept) = (columns.get(velocity, i), self.masses[body] * (followed - change));
+        columns.set(velocity, i, v + followed);
+        columns.set(self.work.value, i, columns.get(self.work.value, i) + kept.dot(&v));
+        columns.set(self.impulse.value, i, columns.get(self.impulse.value, i) + kept);
+    }
+
     fn of(&self, chunk: &Chunk, k: usize, body: usize) -> &PrescribedMotion {
         let layer = self.layer.map_or(0, |column| chunk.view(column).get(k) as usize);
         if layer == 0 { &self.bodies[body] } else { &self.layers[layer - 1] }

@@ -110,6 +110,12 @@ impl Bounce {
         all.iter().any(|[time, u]| *time >= from && (u - self.after()).abs() > STILL * self.before)
     }
 
+    /// Whether the bodies part, and have not touched for half as long as they did.
+    pub fn is_over(&self) -> bool {
+        let apart = |[begin, end]: [f64; 2]| self.last[0] - end > 0.5 * (end - begin);
+        self.after() < 0.0 && self.contact().is_some_and(apart)
+    }
+
     /// (time, s; u, m/s).
     pub fn points(&self) -> Vec<(f64, f64)> {
         self.all().into_iter().map(|[time, u]| (time, u)).collect()
@@ -160,6 +166,9 @@ mod tests {
         let found = bounce(0.1, 1.5, 300, 0);
         assert!(found.is_going_on() && found.coefficient() < 0.0, "{found:?}");
         let untouched = bounce(0.1, 0.9, 30, 0);
+        // In contact for a second; who sticks never ends it.
+        let over = |after: f64, until: f64| bounce(after, until, 300, 0).is_over();
+        assert!(!untouched.is_over() && !over(0.1, 1.5) && !over(0.1, 2.4) && over(0.1, 2.6) && !over(0.0, 4.0));
         assert!(
             untouched.contact().is_none() && (untouched.coefficient() + 1.0).abs() < 1e-12 && !untouched.is_going_on()
         );

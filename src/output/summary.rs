@@ -139,6 +139,9 @@ pub struct Summary {
     pub imbalance: f64,
     /// Steps that were refused and tried again shorter.
     pub refused_steps: u64,
+    /// Small steps, where some bodies take these.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub small_steps: Option<u64>,
     pub list_builds: u64,
     pub rebisections: u64,
     /// Moves of particles between ranks.

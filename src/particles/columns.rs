@@ -274,6 +274,44 @@ impl Columns {
         Self { registry: Arc::new(registry), words, len: 0 }
     }
 
+    /// The same columns, without a particle.
+    pub fn without_particles(&self) -> Self {
+        let words = self.words.iter().map(|_| Vec::new()).collect();
+        Self { registry: Arc::clone(&self.registry), words, len: 0 }
+    }
+
+    /// Becomes a copy of these particles of `from`, in this order.
+    pub fn copy_of(&mut self, from: &Self, which: &[u32]) {
+        for ((column, from), entry) in self.words.iter_mut().zip(&from.words).zip(&self.registry.entries) {
+            let width = entry.width;
+            column.clear();
+            column.reserve(which.len() * width);
+            for &i in which {
+                column.extend_from_slice(&from[i as usize * width..(i as usize + 1) * width]);
+            }
+        }
+        self.len = which.len();
+    }
+
+    /// Becomes a copy of `from`.
+    pub fn copy_all(&mut self, from: &Self) {
+        for (column, from) in self.words.iter_mut().zip(&from.words) {
+            column.clear();
+            column.extend_from_slice(from);
+        }
+        self.len = from.len;
+    }
+
+    /// Writes its particles over these particles of `to`.
+    pub fn write_back(&self, to: &mut Self, which: &[u32]) {
+        for ((column, to), entry) in self.words.iter().zip(&mut to.words).zip(&self.registry.entries) {
+            let width = entry.width;
+            for (k, &i) in which.iter().enumerate() {
+                to[i as usize * width..(i as usize + 1) * width].copy_from_slice(&column[k * width..(k + 1) * width]);
+            }
+        }
+    }
+
     pub fn len(&self) -> usize {
         self.len
     }

@@ -20,6 +20,7 @@ use super::tables::output::OutputSettings;
 use super::tables::regions::layer::Layer;
 use super::tables::regions::probe::Probe;
 use super::tables::run::{RunSettings, Until};
+use super::tables::two_rates::TwoRates;
 use crate::error::Error;
 use crate::material::late::Softening;
 use crate::material::{Late, MaterialTable, Records};
@@ -43,6 +44,7 @@ pub struct Scene {
     pub fragments: Option<FragmentsSettings>,
     pub numerics: NumericsSettings,
     pub run: RunSettings,
+    pub two_rates: Option<TwoRates>,
     pub late_stage: Option<LateStageSettings>,
     pub output: OutputSettings,
     pub record: Records,

@@ -24,6 +24,7 @@ use crate::scene::{Blast, Body, Flow, InitialState, IntegratorRule, Pressed, Sce
 use crate::step::StepSettings;
 use crate::step::integrator::{CashKarp, Integrator, PredictorCorrector, RungeKutta};
 use crate::step::pack::{Moments, Packer};
+use crate::step::rates::{RateColumns, RateSettings};
 
 /// Effects, columns and settings of a scene, before any particle exists.
 pub struct Plan {
@@ -36,6 +37,7 @@ pub struct Plan {
     pub motions: Option<Motions>,
     pub rigid: Option<RigidMatter>,
     pub gravity: Option<Attraction>,
+    pub two_rates: Option<RateSettings>,
 }
 
 /// Number of particles from which on a body's volume gives their number as well as a count.
@@ -138,7 +140,12 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
         Moments::declare(&mut registry);
     }
     let integrator = integrator(scene, &mut registry, &view)?;
-    Ok(Plan { registry, view, effects, integrator, terms, constants, motions, rigid, gravity })
+    let two_rates = scene.two_rates.as_ref().map(|rates| RateSettings {
+        bodies: rates.fast.clone(),
+        steps: rates.steps,
+        columns: RateColumns::declare(&mut registry),
+    });
+    Ok(Plan { registry, view, effects, integrator, terms, constants, motions, rigid, gravity, two_rates })
 }
 
 /// Refuses what a scene says about heat where every law of its matter is cold: it would be lost, or never found.
@@ -304,6 +311,7 @@ impl Plan {
             rigid: self.rigid,
             gravity: self.gravity,
             periods: scene.periods,
+            two_rates: self.two_rates,
             pair_loop,
             cfl: numerics.cfl,
             skin: numerics.skin,

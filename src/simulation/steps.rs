@@ -1,10 +1,12 @@
 //! The loop over steps: when to write, signals, and whether the outcome has settled.
 
 use super::due::{self, NextStep};
+use super::results::summary::has_balance;
 use super::run::{Ended, Options, Run, RunReport};
 use super::scales::free_fall_time;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
+use crate::outcome::restitution::Bounce;
 use crate::output::publish::replace_text;
 use crate::output::{agree, on_root};
 use crate::process::faults::Trigger;
@@ -116,7 +118,9 @@ impl<'a, const D: usize> Run<'a, D> {
     pub(super) fn is_over(&self) -> bool {
         let steps = self.scene.run.steps.is_some_and(|most| self.stepper.state.step >= most);
         let deepest = self.scene.intrusion.is_some_and(|intrusion| intrusion.ends_run) && self.is_deepest();
-        steps || deepest || self.end_time().is_some_and(|end| self.stepper.state.time >= end)
+        let parted = self.scene.restitution.is_some_and(|restitution| restitution.ends_run)
+            && self.state.bounce.as_ref().is_some_and(Bounce::is_over);
+        steps || deepest || parted || self.end_time().is_some_and(|end| self.stepper.state.time >= end)
     }
 
     /// What this rank requests after the coming step; rank 0 keeps the clock of checkpoints.
@@ -213,11 +217,14 @@ impl<'a, const D: usize> Run<'a, D> {
         let (state, steps) = (&self.state, &self.stepper.state);
         let NamedLimit { limit, reason } = &self.limit;
         let [x, y, z] = limit.position;
+        let energy = match has_balance(self.scene) {
+            true => format!("energy drift {:.1e}, ", state.conservation.energy_drift()),
+            false => String::new(), // cold matter does not account for it
+        };
         format!(
-            "t {:.3e} s, step {}, energy drift {:.1e}, dt {:.2e} s by {reason} of {} {} at ({x:.3e}, {y:.3e}, {z:.3e}) m",
+            "t {:.3e} s, step {}, {energy}dt {:.2e} s by {reason} of {} {} at ({x:.3e}, {y:.3e}, {z:.3e}) m",
             steps.time,
             steps.step,
-            state.conservation.energy_drift(),
             steps.next,
             self.scene.bodies.get(limit.id.body()).map_or("", |body| &body.name),
             limit.id.site(),

@@ -70,15 +70,7 @@ impl Derivatives<'_> {
                 workspace.rates.acceleration[k * dimension + a].set(inverse_density * sums.force[a]);
             }
             let raw = gradient(dimension, &sums.gradient);
-            let mut work = contract(&read_stress(layout, record), &raw);
-            if layout.terms.angular_momentum() {
-                let axial = |k: usize| half(record, layout.axial() + k);
-                work += match dimension {
-                    2 => angular_momentum::heating::<2>(&[axial(0)], &sums.gradient),
-                    _ => angular_momentum::heating::<3>(&[axial(0), axial(1), axial(2)], &sums.gradient),
-                };
-            }
-            let heating = inverse_density * (work + 0.5 * sums.dissipation);
+            let heating = inverse_density * power(layout, record, sums);
             let velocity_gradient = match (sums.neighbours, self.settings.view.is_rigid(body)) {
                 (0, false) => Mat3::from_diagonal_element(self.unloading(k, body)),
                 (_, false) => corrected(layout, &raw, sums),
@@ -175,6 +167,20 @@ impl Derivatives<'_> {
         let position = chunk.view(core.position).get(best.1);
         Limit { dt: best.0, reason: best.2, id: chunk.view(core.id).get(best.1), position: position.into() }
     }
+}
+
+/// What the pairs of a row do to a particle of this record beyond moving it, W/m^3.
+#[inline]
+pub fn power(layout: &Layout, record: &[f64], sums: &RowSums) -> f64 {
+    let mut work = contract(&read_stress(layout, record), &gradient(layout.dimension, &sums.gradient));
+    if layout.terms.angular_momentum() {
+        let axial = |k: usize| half(record, layout.axial() + k);
+        work += match layout.dimension {
+            2 => angular_momentum::heating::<2>(&[axial(0)], &sums.gradient),
+            _ => angular_momentum::heating::<3>(&[axial(0), axial(1), axial(2)], &sums.gradient),
+        };
+    }
+    work + 0.5 * sums.dissipation
 }
 
 /// A chunk in the form that effects take.

@@ -7,7 +7,7 @@ use super::buffers::Line;
 use super::neighbourhood::Load;
 use super::phases::Phase;
 use crate::pair::Rows;
-use crate::particles::chunk::{CHUNK, chunk_range};
+use crate::particles::chunk::CHUNK;
 use crate::particles::large_pages;
 
 impl<const D: usize> Stepper<'_, D> {
@@ -42,24 +42,17 @@ impl<const D: usize> Stepper<'_, D> {
 
     /// Packs the records of all particles, `since` seconds after the last evaluation.
     pub(super) fn pack(&mut self, since: f64) {
-        struct Records(*mut f64);
-        // SAFETY: chunks write to the slots of their own particles only, which are all different.
-        unsafe impl Sync for Records {}
-        impl Records {
-            fn start(&self) -> *mut f64 {
-                self.0
-            }
-        }
-        let records = Records(bytemuck::cast_slice_mut::<Line, f64>(&mut self.buffers.records).as_mut_ptr());
-        let (columns, packer) = (&self.columns, &self.settings.packer);
+        let records = self.buffers.writer();
+        let (columns, packer, buffers) = (&self.columns, &self.settings.packer, &self.buffers);
         let slots = &self.neighbourhood.local().slot_of_owned;
-        self.workers.each(&self.buffers.all, |chunk, _| {
-            // SAFETY: `records` has a slot for every local particle, and no two particles share one.
-            unsafe { packer.pack(columns, chunk_range(chunk, columns.len()), since, slots, records.start()) };
+        self.workers.each(&buffers.all, |chunk, _| {
+            // SAFETY: there is a record for every local particle, and no two particles share one.
+            unsafe { packer.pack(columns, buffers.range(chunk, columns.len()), since, slots, records.start()) };
         });
     }
 
     pub(super) fn find_chunks(&mut self) {
+        self.buffers.pieces = None;
         self.buffers.all.clear();
         self.buffers.all.extend(0..self.columns.len().div_ceil(CHUNK) as u32);
     }
@@ -70,11 +63,9 @@ impl<const D: usize> Stepper<'_, D> {
         let start = Instant::now();
         if fresh {
             self.neighbourhood.start_afresh(&mut self.columns, &self.settings);
-            let rebisected = self.neighbourhood.balance(
-                &self.columns,
-                &Load { phases: &self.phases, steps: self.coming() },
-                self.comm,
-            );
+            let (steps, small_steps) = (self.coming(), self.small_steps_made());
+            let load = Load { phases: &self.phases, steps, small_steps };
+            let rebisected = self.neighbourhood.balance(&self.columns, &load, self.comm);
             self.counters.list_builds += 1;
             self.counters.rebisections += rebisected as u64;
         }
@@ -82,21 +73,10 @@ impl<const D: usize> Stepper<'_, D> {
         self.counters.migrated += self.neighbourhood.migrated() as u64;
         self.phases.add(Phase::Migration, start);
         let start = Instant::now();
-        self.neighbourhood.build_list(&mut self.columns, &self.settings.view);
+        self.neighbourhood.build_list(&mut self.columns, &self.settings);
         self.phases.add(Phase::Lists, start);
-        self.find_chunks();
-        let count = self.columns.len();
-        self.buffers.interior.clear();
-        self.buffers.boundary.clear();
-        let mut rest = self.neighbourhood.list.boundary.iter().peekable();
-        for &chunk in &self.buffers.all {
-            let range = chunk_range(chunk as usize, count);
-            let mut with_ghosts = false;
-            while rest.next_if(|row| (**row as usize) < range.end).is_some() {
-                with_ghosts = true;
-            }
-            if with_ghosts { self.buffers.boundary.push(chunk) } else { self.buffers.interior.push(chunk) }
-        }
+        self.group(fresh);
+        self.sort_chunks();
         let layout = *self.settings.pair_loop.layout();
         let lines = layout.stride() / 8;
         let needed = (self.neighbourhood.local().count + 1) * lines;
@@ -109,5 +89,24 @@ impl<const D: usize> Stepper<'_, D> {
         layout.padding(
             &mut bytemuck::cast_slice_mut::<Line, f64>(&mut self.buffers.records)[padding..padding + layout.stride()],
         );
+    }
+
+    /// The chunks (or what of them is slow), with and without ghosts in their rows.
+    pub(super) fn sort_chunks(&mut self) {
+        self.find_chunks();
+        self.leave_out_fast();
+        let (count, buffers) = (self.columns.len(), &mut self.buffers);
+        buffers.interior.clear();
+        buffers.boundary.clear();
+        let mut rest = self.neighbourhood.list.boundary.iter().peekable();
+        for k in 0..buffers.all.len() {
+            let chunk = buffers.all[k];
+            let range = buffers.range(chunk as usize, count);
+            let mut with_ghosts = false;
+            while rest.next_if(|row| (**row as usize) < range.end).is_some() {
+                with_ghosts = true;
+            }
+            if with_ghosts { buffers.boundary.push(chunk) } else { buffers.interior.push(chunk) }
+        }
     }
 }

@@ -16,6 +16,7 @@ pub mod pack;
 pub mod packing;
 pub mod passes;
 pub mod phases;
+pub mod rates;
 pub mod reduction;
 mod rigid;
 pub mod settings;

@@ -6,7 +6,7 @@ use super::integrator::AT_START;
 use super::phases::{Phase, Phases};
 use super::settings::StepSettings;
 use crate::domain::comm::Comm;
-use crate::domain::{Basis, Closing, Decomposition, Displacements, Handles, Moving, Space, Watch};
+use crate::domain::{Basis, Closing, Decomposition, Displacements, Handles, Moving, SomeGhosts, Space, Watch};
 use crate::gravity::ROUNDS;
 use crate::kernel::SUPPORT;
 use crate::material::{Core, ParticleView};
@@ -29,6 +29,8 @@ pub struct Load<'a> {
     pub phases: &'a Phases,
     /// Steps so far, that in progress among them.
     pub steps: u64,
+    /// How often fast particles are evaluated in a step, where there are any.
+    pub small_steps: f64,
 }
 
 /// How much a neighbour list of this rank holds.
@@ -59,6 +61,12 @@ pub struct Neighbourhood<const D: usize> {
     costs: Vec<u32>,
     /// Size of the present list.
     list_size: ListSize,
+    /// Messages of the ghosts that change within a step, where some particles take smaller ones.
+    chosen: Option<SomeGhosts>,
+    /// What of the present list belongs to fast particles.
+    fast_size: ListSize,
+    /// Column of those that are fast.
+    fast: Option<Column<f64>>,
     /// Most bytes that a list has held.
     list_bytes: usize,
 }
@@ -81,6 +89,9 @@ impl<const D: usize> Neighbourhood<D> {
             words: settings.pair_loop.layout().words(),
             costs: Vec::new(),
             list_size: ListSize::default(),
+            chosen: None,
+            fast_size: ListSize::default(),
+            fast: settings.two_rates.as_ref().map(|rates| rates.columns.fast),
             list_bytes: 0,
         }
     }
@@ -149,7 +160,8 @@ impl<const D: usize> Neighbourhood<D> {
     }
 
     /// Neighbours of every owned particle, and what follows from which they are.
-    pub fn build_list(&mut self, columns: &mut Columns, view: &ParticleView) {
+    pub fn build_list(&mut self, columns: &mut Columns, settings: &StepSettings) {
+        let view = &settings.view;
         let Decomposition { local, .. } = self.decomposition.as_mut().expect("particles are distributed first");
         self.list.build(local);
         if let Some(column) = view.contact_alpha() {
@@ -158,6 +170,17 @@ impl<const D: usize> Neighbourhood<D> {
                 let neighbours = self.list.entries[ends[0]..ends[1]].iter().filter_map(|&slot| alpha_of(slot));
                 let own = alpha(view, columns.get(self.core.id, i).0);
                 columns.set(column, i, neighbours.fold(own, f64::max));
+            }
+        }
+        if let Some(rates) = &settings.two_rates {
+            let is_fast = |slot: u32| {
+                let place = local.places.get(slot as usize);
+                place.is_some_and(|place| rates.bodies[ParticleId(place.id).body()])
+            };
+            for (i, ends) in self.list.offsets.windows(2).enumerate() {
+                let near = is_fast(local.slot_of_owned[i])
+                    || self.list.entries[ends[0]..ends[1]].iter().any(|&slot| is_fast(slot));
+                columns.set(rates.columns.near, i, f64::from(near));
             }
         }
         local.forget_places();
@@ -213,7 +236,7 @@ impl<const D: usize> Neighbourhood<D> {
             return false;
         }
         let own = self.update_cost(load, comm);
-        let imbalance = self.imbalance_of_list(own, comm);
+        let imbalance = self.imbalance_of_list(own, load.small_steps, comm);
         self.imbalance_so_far.0 += imbalance * self.evaluations as f64;
         self.imbalance_so_far.1 += self.evaluations;
         self.evaluations = 0;
@@ -221,7 +244,10 @@ impl<const D: usize> Neighbourhood<D> {
         if unbalanced {
             let mut costs = std::mem::take(&mut self.costs);
             costs.clear();
-            costs.extend(self.list.offsets.windows(2).map(|row| ((row[1] - row[0]) as f64 + own) as u32));
+            let is_fast = |i: usize| self.fast.is_some_and(|fast| columns.get(fast, i) != 0.0);
+            let times = |i: usize| if is_fast(i) { load.small_steps } else { 1.0 };
+            let rows = self.list.offsets.windows(2).enumerate();
+            costs.extend(rows.map(|(i, row)| (((row[1] - row[0]) as f64 + own) * times(i)) as u32));
             self.parts_mut().bisect(columns, &costs, comm);
             self.costs = costs;
         }
@@ -231,19 +257,24 @@ impl<const D: usize> Neighbourhood<D> {
     /// Largest load of a rank over the mean load: the mean over all evaluations so far, each with the planes that it was
     /// made with. Collective.
     pub fn imbalance(&self, load: &Load, comm: &Comm) -> f64 {
-        let now = self.imbalance_of_list(self.update_cost(load, comm), comm);
+        let now = self.imbalance_of_list(self.update_cost(load, comm), load.small_steps, comm);
         let (sum, evaluations) = self.imbalance_so_far;
         (sum + now * self.evaluations as f64) / (evaluations + self.evaluations).max(1) as f64
     }
 
     /// Imbalance of the present list, where the update of a particle costs `own` entries. Collective.
-    fn imbalance_of_list(&self, own: f64, comm: &Comm) -> f64 {
-        let ListSize { entries, particles } = self.list_size;
-        let mine = entries + own * particles;
+    fn imbalance_of_list(&self, own: f64, small_steps: f64, comm: &Comm) -> f64 {
+        let cost = |size: &ListSize| size.entries + own * size.particles;
+        let mine = cost(&self.list_size) + (small_steps - 1.0) * cost(&self.fast_size);
         let (mut most, mut total) = ([mine], [mine as i64]);
         comm.all_max(&mut most);
         comm.all_sum(&mut total);
         most[0] * comm.size() as f64 / total[0].max(1) as f64
+    }
+
+    /// Says what of the present list belongs to fast particles.
+    pub fn note_fast(&mut self, size: ListSize) {
+        self.fast_size = size;
     }
 
     /// Size of the present list.
@@ -300,6 +331,50 @@ impl<const D: usize> Neighbourhood<D> {
         for (&slot, from) in local.slot_of_incoming.iter().zip(incoming) {
             records[slot as usize * stride..slot as usize * stride + self.words].copy_from_slice(from);
         }
+    }
+
+    /// Brings the records of chosen ghosts alone. Collective.
+    pub fn exchange_chosen(&mut self, records: &mut [f64], stride: usize, comm: &Comm) {
+        let words = self.words;
+        let Some(SomeGhosts { sent, received, exchange }) = &mut self.chosen else { return };
+        let Decomposition { ghosts, local, .. } = self.decomposition.as_ref().expect("particles are distributed first");
+        for (&k, to) in sent.iter().zip(exchange.outgoing().chunks_exact_mut(words)) {
+            let slot = local.slot_of_owned[ghosts.send_indices[k as usize] as usize] as usize;
+            to.copy_from_slice(&records[slot * stride..slot * stride + words]);
+            if let Some(shift) = ghosts.send_shifts.as_chunks::<D>().0.get(k as usize) {
+                (0..D).for_each(|axis| to[Layout::POSITION + axis] += shift[axis]);
+            }
+        }
+        exchange.start(comm);
+        exchange.wait(comm);
+        for (&k, from) in received.iter().zip(exchange.incoming().chunks_exact(words)) {
+            let slot = local.slot_of_incoming[k as usize] as usize;
+            records[slot * stride..slot * stride + words].copy_from_slice(from);
+        }
+    }
+
+    /// Chooses the ghosts whose slots have a number in `marks` that is not zero. Collective.
+    pub fn choose(&mut self, marks: &[f64], comm: &Comm) {
+        let Decomposition { ghosts, local, .. } = self.parts();
+        let is_marked = |slot: u32| marks[slot as usize] != 0.0;
+        let is_sent = |k: usize| is_marked(local.slot_of_owned[ghosts.send_indices[k] as usize]);
+        let is_received = |k: usize| is_marked(local.slot_of_incoming[k]);
+        self.chosen = Some(ghosts.some(is_sent, is_received, comm));
+    }
+
+    /// A number of the particle in every slot, ghosts too, and zero for the record that pads rows. Collective.
+    pub fn in_slots(&mut self, number: impl Fn(usize) -> f64, comm: &Comm) -> Vec<f64> {
+        let words = self.words;
+        let Decomposition { ghosts, local, .. } = self.parts_mut();
+        let outgoing = ghosts.exchange.outgoing().chunks_exact_mut(words);
+        ghosts.send_indices.iter().zip(outgoing).for_each(|(&i, to)| to[0] = number(i as usize));
+        ghosts.exchange.start(comm);
+        ghosts.exchange.wait(comm);
+        let mut numbers = vec![0.0; local.count + 1];
+        (0..).zip(&local.slot_of_owned).for_each(|(i, &slot)| numbers[slot as usize] = number(i));
+        let incoming = ghosts.exchange.incoming().chunks_exact(words);
+        local.slot_of_incoming.iter().zip(incoming).for_each(|(&slot, from)| numbers[slot as usize] = from[0]);
+        numbers
     }
 
     /// Ghosts held by this rank.

@@ -45,6 +45,13 @@ impl Passes<'_> {
         self.settle(chunk, workspace, (!integrator.may_refuse()).then_some(moment.dt));
     }
 
+    /// Moves a chunk to `dt` seconds after its last evaluation, to see what it will be like: nothing is committed.
+    pub fn foresee(&self, chunk: &Chunk, dt: f64, workspace: &mut Workspace) {
+        self.settings.integrator.advance(chunk, 0, dt);
+        self.fill_bodies(chunk, workspace);
+        self.settle(chunk, workspace, None);
+    }
+
     /// Sets the particles of rigid bodies to where these are.
     pub fn place(&self, chunk: &Chunk, workspace: &mut Workspace) {
         let Some(rigid) = &self.settings.rigid else { return };

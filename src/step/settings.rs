@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::integrator::Integrator;
 use super::pack::Packer;
+use super::rates::RateSettings;
 use crate::gravity::{Attraction, Timing};
 use crate::material::{MaterialEffect, ParticleView};
 use crate::motion::Motions;
@@ -23,6 +24,8 @@ pub struct StepSettings {
     /// Where bodies are rigid.
     pub rigid: Option<RigidMatter>,
     pub gravity: Option<Attraction>,
+    /// Where some bodies take smaller steps than the rest.
+    pub two_rates: Option<RateSettings>,
     pub periods: Periods,
     /// Courant number.
     pub cfl: f64,
@@ -54,6 +57,9 @@ pub struct StepState {
     /// The rigid bodies, where there are any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub rigid: Vec<RigidBody>,
+    /// The longest small step that fast particles allow, s, where there are two rates.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub small: Option<f64>,
 }
 
 /// The moment of an evaluation.
@@ -80,6 +86,9 @@ pub struct Counters {
     pub rebisections: u64,
     /// Steps that were refused and tried again shorter.
     pub refused: u64,
+    /// Small steps of bodies that take these, the last of each large one among them.
+    #[serde(default)]
+    pub small_steps: u64,
     pub gravity_evaluations: u64,
     /// Particles that left this rank.
     pub migrated: u64,

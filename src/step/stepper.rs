@@ -12,6 +12,7 @@ use super::integrator::Verdict;
 use super::neighbourhood::{Load, Neighbourhood};
 use super::passes::Passes;
 use super::phases::{Phase, Phases};
+use super::rates::TwoRates;
 use super::reduction::{self, Reduced};
 use super::settings::{Counters, Moment, StepSettings, StepState};
 use super::time_step::{Limit, NamedLimit};
@@ -22,7 +23,7 @@ use crate::material::Core;
 use crate::material::eos::INTERNAL_ENERGY;
 use crate::motion::rigid::RigidBody;
 use crate::pair::Rows;
-use crate::particles::chunk::{Chunks, chunk_range};
+use crate::particles::chunk::Chunks;
 use crate::particles::{Chunk, Column, Columns, ParticleId};
 
 /// Chunks between two polls of pending messages.
@@ -56,9 +57,11 @@ pub struct Stepper<'c, const D: usize> {
     pub limit: Limit,
     pub(super) internal_energy: Option<Column<f64>>,
     pub(super) buffers: Buffers,
-    pointers: Vec<(*mut u64, usize)>,
+    /// Where some bodies take smaller steps than the rest.
+    pub(super) rates: Option<Box<TwoRates>>,
+    pub(super) pointers: Vec<(*mut u64, usize)>,
     /// Findings of this rank in the last evaluation.
-    found: Findings,
+    pub(super) found: Findings,
 }
 
 impl<'c, const D: usize> Stepper<'c, D> {
@@ -68,6 +71,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let workers = Workers::new(|| Workspace::new(&columns.registry, settings.effects.len(), rigid));
         let internal_energy = columns.registry.find(INTERNAL_ENERGY);
         let neighbourhood = Neighbourhood::new(&columns.registry, &settings);
+        let rates = settings.two_rates.as_ref().map(|two| Box::new(TwoRates::new(&columns, two)));
         Self {
             comm,
             columns,
@@ -80,6 +84,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
             limit: Limit::NONE,
             internal_energy,
             buffers: Buffers::default(),
+            rates,
             pointers: Vec::new(),
             found: Findings::nothing(),
         }
@@ -94,6 +99,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let found = self.collect();
         reduction::before_evaluation(&found, 0.0, 0, self.comm)?;
         self.rebuild(true);
+        self.adopt_groups();
         self.evaluate_anew()
     }
 
@@ -114,6 +120,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         // Evaluations at the beginning of a step are valid, however long the step will be.
         let at_start = stages.iter().take_while(|&&share| share == 0.0).count();
         self.make_stages(0..at_start, dt, signal)?;
+        self.make_small_steps(dt)?;
         let mut tried = dt;
         loop {
             let verdict = match self.make_stages(at_start..stages.len(), tried, signal) {
@@ -166,8 +173,9 @@ impl<'c, const D: usize> Stepper<'c, D> {
             reduction::before_evaluation(&self.collect(), 0.0, self.coming(), self.comm)?;
         }
         let next = self.next_step(reduced, most)?;
-        let (step, StepState { gravity, rigid, .. }) = (self.coming(), std::mem::take(&mut self.state));
-        self.state = StepState { step, time, next, last: taken, gravity, rigid };
+        let (step, StepState { gravity, rigid, small, .. }) = (self.coming(), std::mem::take(&mut self.state));
+        self.state = StepState { step, time, next, last: taken, gravity, rigid, small };
+        self.regroup();
         Ok(Stepped { taken, dt: next, signal: reduced.signal })
     }
 
@@ -193,6 +201,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
             state.rigid.iter_mut().for_each(|body| settings.integrator.advance_rigid(body, moment.stage, moment.dt));
         }
         self.chunk_pass(|passes, chunk, workspace| passes.advance(chunk, moment, share, workspace));
+        self.move_fast(moment);
         self.phases.add(Phase::Predict, start);
         let start = Instant::now();
         let used = self.neighbourhood.skin_used(&self.columns, &self.settings, self.comm);
@@ -221,7 +230,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
 
     /// The next step, s: no longer than any particle allows, nor than `most`. Collective.
     fn next_step(&mut self, reduced: &Reduced, most: f64) -> Result<f64, Failure> {
-        let mut dt = reduced.limit.min(most);
+        let mut dt = reduced.limit.min(most).min(self.longest_by_fast());
         if dt == f64::INFINITY {
             dt = self.longest_rigid_step();
         }
@@ -270,7 +279,8 @@ impl<'c, const D: usize> Stepper<'c, D> {
 
     /// Largest load of a rank over the mean load, over the run; collective.
     pub fn imbalance(&self) -> f64 {
-        self.neighbourhood.imbalance(&Load { phases: &self.phases, steps: self.coming() }, self.comm)
+        let load = Load { phases: &self.phases, steps: self.coming(), small_steps: self.small_steps_made() };
+        self.neighbourhood.imbalance(&load, self.comm)
     }
 
     pub fn reason_name(&self, reason: usize) -> &'static str {
@@ -288,9 +298,10 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let (registry, count) = (Arc::clone(&self.columns.registry), self.columns.len());
         let passes = Passes { settings: &self.settings, registry: &registry, rigid: &self.state.rigid };
         let chunks = Chunks::new(&mut self.columns, std::mem::take(&mut self.pointers));
-        self.workers.each(&self.buffers.all, |chunk, workspace| {
+        let buffers = &self.buffers;
+        self.workers.each(&buffers.all, |chunk, workspace| {
             // SAFETY: each chunk is worked on once per pass, and chunks do not overlap.
-            let chunk = unsafe { chunks.chunk(chunk_range(chunk, count)) };
+            let chunk = unsafe { chunks.chunk(buffers.range(chunk, count)) };
             work(&passes, &chunk, workspace);
         });
         self.pointers = chunks.into_pointers();
@@ -308,6 +319,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
     fn evaluate(&mut self, moment: &Moment, signal: u32) -> Result<Reduced, Failure> {
         let start = Instant::now();
         self.pack(moment.since);
+        self.pack_fast(moment);
         self.phases.add(Phase::Pack, start);
         let layout = *self.settings.pair_loop.layout();
         let stride = layout.stride();
@@ -341,6 +353,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.limit = self.found.limit;
         self.counters.pairs += self.found.pairs;
         self.counters.updates += self.columns.len() as u64;
+        let small = self.evaluate_fast(moment);
         self.phases.add(Phase::Pairs, start);
         if let Some(evaluation) = gravity {
             self.finish_gravity(evaluation);
@@ -350,6 +363,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         let reduced = reduction::after_evaluation::<D>(&self.found, controlled, signal, self.coming(), self.comm);
         self.phases.add(Phase::Reduce, start);
         let mut reduced = reduced?;
+        self.note_small(small);
         if self.settings.rigid.is_some() {
             self.take_rigid(moment, &mut reduced);
         }
@@ -366,9 +380,10 @@ impl<'c, const D: usize> Stepper<'c, D> {
             slots: &self.neighbourhood.local().slot_of_owned,
         };
         let chunks = Chunks::new(&mut self.columns, std::mem::take(&mut self.pointers));
+        let buffers = &self.buffers;
         self.workers.each(items, |chunk, workspace| {
             // SAFETY: each chunk is worked on once per pass, and chunks do not overlap.
-            let chunk = unsafe { chunks.chunk(chunk_range(chunk, count)) };
+            let chunk = unsafe { chunks.chunk(buffers.range(chunk, count)) };
             passes.evaluate(&chunk, &rows, moment, workspace);
         });
         self.pointers = chunks.into_pointers();

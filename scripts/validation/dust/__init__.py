@@ -3,7 +3,7 @@
 import json
 
 from common import page
-from validation.dust import bouncing, compaction, fragmentation, price
+from validation.dust import bouncing, compaction, fragmentation, price, verdicts
 
 PAGE = "dust.md"
 BY_NAME = True
@@ -12,7 +12,7 @@ FROM_SOME = True
 KEPT = page.FOLDER / "dust.json"
 """Figures of every run that was ever made, so that the page does not need all of them at once."""
 
-SECTIONS = (compaction, price, bouncing, fragmentation)
+SECTIONS = (verdicts, compaction, price, bouncing, fragmentation)
 
 
 def runs():

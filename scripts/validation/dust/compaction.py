@@ -60,6 +60,7 @@ CHOICES = {
     "gamma = 6": plane("gamma_6", settings=[f"{SIRONO}.gamma=6"]),
     "an absorbing layer": plane("absorbing", settings=['layer.0.motion={ damping = "0.1 ms" }']),
     "no contact viscosity": plane("no_contact", settings=["numerics.contact_viscosity=false"]),
+    "alpha 1.9 by the bead": plane("contact_1.9", settings=["material.glass.viscosity.alpha=1.9"]),
     "no gravity": plane("no_gravity", settings=["gravity.uniform=[0,0]"]),
 }
 SWEEPS = (DOMAINS, VISCOSITY, PRESSURE, WIDTH, MODULUS, SPEED, RADIUS, CHOICES)

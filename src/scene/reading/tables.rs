@@ -23,6 +23,7 @@ use crate::scene::tables::output::OutputTable;
 use crate::scene::tables::regions::layer::LayerTable;
 use crate::scene::tables::regions::probe::ProbeTable;
 use crate::scene::tables::run::RunTable;
+use crate::scene::tables::two_rates::TwoRatesTable;
 
 /// The dimensions that a scene may have.
 pub const DIMENSIONS: [u8; 2] = [2, 3];
@@ -59,6 +60,7 @@ pub struct SceneTables {
     pub numerics: NumericsTable,
     #[serde(default)]
     pub run: RunTable,
+    pub two_rates: Option<TwoRatesTable>,
     pub late_stage: Option<LateStageTable>,
     #[serde(default)]
     pub output: OutputTable,

@@ -7,10 +7,10 @@ use super::tables::{DIMENSIONS, SceneTables};
 use crate::error::{Error, Result};
 use crate::material::MaterialTable;
 use crate::scene::document::source::{Document, SourceText};
-use crate::scene::tables::domain;
 use crate::scene::tables::impacts::intrusion::Around;
 use crate::scene::tables::impacts::late_stage::Surroundings;
 use crate::scene::tables::regions::probe;
+use crate::scene::tables::{domain, two_rates};
 use crate::scene::validated::Scene;
 
 /// Checks everything that a single key cannot show.
@@ -65,6 +65,14 @@ pub fn validate(document: &Document, tables: &SceneTables) -> Result<Scene> {
         None => None,
         Some(threshold) => Some(threshold.validate(document, &checks::varied(document, impact.as_ref(), &bodies)?)?),
     };
+    let matter = two_rates::Matter {
+        bodies: &bodies,
+        parts: parts.len(),
+        numerics: &numerics,
+        gravity: &gravity,
+        late_stage: late_stage.is_some(),
+    };
+    let two_rates = tables.two_rates.as_ref().map(|rates| rates.validate(document, &matter)).transpose()?;
     checks::check_parts(document, bodies.len(), parts.len())?;
     bodies.extend(parts);
     let scene = Scene {
@@ -82,6 +90,7 @@ pub fn validate(document: &Document, tables: &SceneTables) -> Result<Scene> {
         fragments,
         numerics,
         run,
+        two_rates,
         late_stage,
         output,
         record: tables.record,

@@ -12,3 +12,4 @@ pub mod numerics;
 pub mod output;
 pub mod regions;
 pub mod run;
+pub mod two_rates;

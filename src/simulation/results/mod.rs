@@ -11,5 +11,5 @@ pub(in crate::simulation) mod nbody;
 pub mod probes;
 pub(in crate::simulation) mod report;
 pub(in crate::simulation) mod restitution;
-mod summary;
+pub(in crate::simulation) mod summary;
 pub mod warnings;

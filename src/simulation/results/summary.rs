@@ -67,6 +67,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         exchanged_bytes_per_step: bytes / stepper.state.step.max(1) as f64,
         imbalance: stepper.imbalance(),
         refused_steps: stepper.counters.refused,
+        small_steps: report.scene.two_rates.is_some().then_some(stepper.counters.small_steps),
         list_builds: stepper.counters.list_builds,
         rebisections: stepper.counters.rebisections,
         migrated_particles: spent.migrated,
@@ -89,7 +90,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
 }
 
 /// Whether energy is accounted for: cold matter does not record what it takes up.
-fn has_balance(scene: &Scene) -> bool {
+pub fn has_balance(scene: &Scene) -> bool {
     let mut deforming = scene.bodies.iter().filter(|body| body.rigid.is_none()).peekable();
     // What rigid bodies take up by their contact is cold, too, and recorded where others have heat.
     deforming.peek().is_some() && deforming.all(|body| !scene.materials[body.material].eos.law().is_cold())

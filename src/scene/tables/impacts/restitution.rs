@@ -17,6 +17,9 @@ pub struct RestitutionTable {
     body: String,
     /// Name of the body that it hits; that may be held.
     against: String,
+    /// Whether the run ends before its given end, once both have parted for half as long as they were in contact.
+    #[serde(default)]
+    ends_run: bool,
 }
 
 /// A body that hits another, by their numbers.
@@ -24,6 +27,7 @@ pub struct RestitutionTable {
 pub struct RestitutionSettings {
     pub body: usize,
     pub against: usize,
+    pub ends_run: bool,
 }
 
 impl RestitutionTable {
@@ -48,7 +52,7 @@ impl RestitutionTable {
             let what = format!("`{}` and `{}` do not approach each other", self.body, self.against);
             return Err(document.error("restitution.body", what).allowed("bodies of different velocities"));
         }
-        Ok(RestitutionSettings { body, against })
+        Ok(RestitutionSettings { body, against, ends_run: self.ends_run })
     }
 }
 
@@ -68,7 +72,7 @@ mod tests {
     #[test]
     fn a_bounce_that_cannot_be_measured_is_refused() {
         let found = parse("title=x").unwrap_or_else(|e| panic!("{e}")).restitution.expect("a bounce");
-        assert_eq!((found.body, found.against), (0, 1));
+        assert_eq!((found.body, found.against, found.ends_run), (0, 1, false));
         for (change, expected) in [
             ("restitution.body=bal", "--set restitution.body=bal: unknown body `bal`"),
             ("restitution.against=ball", "a body does not hit itself (allowed: another body)"),
