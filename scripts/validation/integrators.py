@@ -20,7 +20,7 @@ PAGE = "integrators.md"
 EXACT = ["dimension=2", "output.snapshots=1", "output.precision=f64", "output.picture=false"]
 IMPACT = [*EXACT, "target.particles=4000", "material.basalt.fracture=false", "run.until=1 s"]
 DUST = [
-    *EXACT, 'dust.spacing="100 um"', 'bead.spacing="100 um"', 'layer.0.outer="560 um"', 'bead.position=[0,"0.65 mm"]', "intrusion=false", 'run.until="1 ms"',
+    *EXACT, 'dust.spacing="100 um"', 'bead.spacing="100 um"', 'layer.0.outer="560 um"', 'bead.position=[0,"0.65 mm"]', 'run.until="1 ms"',
 ]
 
 

@@ -42,7 +42,7 @@ SLICES = {
     (ratio, kind): bead(kind, "300 kPa", SPACING, [f'run.until="{SLICE} ms"'], f"_slice_{ratio}", ratio=ratio, share=0.02 * ratio / 5.6)
     for ratio in RATIOS for kind in list(BEADS)[1:]
 }
-FEW = ["run.steps=400", "output.picture=false", "intrusion=false"]
+FEW = ["run.steps=400", "output.picture=false"]
 EFFECTS = {
     "as it is": [],
     "no contact viscosity": ["numerics.contact_viscosity=false"],
@@ -51,10 +51,9 @@ EFFECTS = {
     "an elastic bead": ELASTIC,
     "an elastic bead, two rates": BEADS["elastic, two rates"][0],
     "an elastic bead, Cash-Karp": CASH_KARP,
-    "no analysis of the fall": ["intrusion=false"],
 }
 EFFECT_RUNS = {
-    name: plane(f"effect_{number}", settings=[*(FEW if name == "no analysis of the fall" else FEW[:-1]), *settings], seconds=0.2)
+    name: plane(f"effect_{number}", settings=[*FEW, *settings], seconds=0.2)
     for number, (name, settings) in enumerate(EFFECTS.items())
 }
 
