@@ -65,15 +65,16 @@ def rows(known):
     yield line("table 1, 3D: depth of the peak", finest(known, hard_space, "peak_depth"), 0.65, None, 1e3, 2, "mm")
     yield line("table 1: depth in 3D over 2D", ratio(finest(known, hard_space, "peak_depth"), finest(known, hard_plane, "peak_depth")), 0.65 / 0.9, None,
                why=f"8 / (3 pi) = {TO_SPACE:.3f} of eq. 26 is that of equal deceleration by area")
-    soft, stiff = (of(known, compaction.MODULUS[k], "depth") for k in (2, 300))
-    yield line("2D: depth with K_0 = 300 kPa over 2 kPa", ratio(stiff, soft), 1.0, None)
+    soft, stiff = (of(known, compaction.MODULUS[k], "peak_depth") for k in (2, 300))
+    yield line("2D: depth of the peak with K_0 = 300 kPa over 2 kPa", ratio(stiff, soft), 1.0, None)
     thin, thick = (of(known, compaction.VISCOSITY[a], "peak_depth") for a in (0, 2))
-    yield line("2D: depth with alpha = 2 over 0", ratio(thick, thin), 0.62 / 0.92, None, why="the paper's is with p_m = 1.3 kPa and 300 kPa, where sound is 8 times faster")
-    yield line("2D: power of depth over speed", slope([(v, of(known, run, "depth")) for v, run in compaction.SPEED.items()]), 1.0, 1.0, why="")
+    yield line("2D: depth of the peak with alpha = 2 over 0", ratio(thick, thin), 0.62 / 0.92, None, why="the paper's is with p_m = 1.3 kPa and 300 kPa, where sound is 8 times faster")
+    yield line("2D: power of depth over speed", slope([(v, of(known, run, "depth")) for v, run in compaction.SPEED.items()]), 1.0, 1.0)
     slow, fast = (of(known, compaction.SPEED[v], "stopping_time") for v in (0.25, 1))
     yield line("2D: stopping time at 1 m/s over 0.25 m/s", ratio(fast, slow), 1.0, 1.0)
     small, large = (of(known, compaction.RADIUS[r], "stopping_time") for r in (0.5, 1.5))
-    yield line("2D: stopping time, bead of 3 mm over 1 mm", ratio(large, small), None, 6.2 / 3.0)
+    yield line("2D: stopping time, bead of 3 mm over 1 mm", ratio(large, small), None, 6.2 / 3.0,
+               why="the depth of eq. 23 and the sine of eq. 22 make it 3 in theory")
     bounce = known.get(bouncing.SPACINGS[12.5].name) or known.get(bouncing.SPACINGS[25].name) or {}
     yield line("restitution, K_0 = 5 kPa", (bounce.get("restitution") or {}).get("coefficient"), 0.19, 0.2)
     broken = (known.get(fragmentation.FINE[4.5].name) or {}).get("fragments") or {}
