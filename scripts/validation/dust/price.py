@@ -120,5 +120,6 @@ BEADS_TEXT = """### The bead
 
 A rigid bead has no sound that limits steps. An elastic one (Murnaghan's law, 5 GPa) sets the step of all, unless it takes small steps of its own
 (`[two_rates]`). What differs in depth and time between them is the error that a rigid bead brings."""
-EFFECTS_TEXT = """What a step costs, over the first 400 steps at l_c = 50 um, with some 120 neighbours; steps of two rates are large ones:"""
+EFFECTS_TEXT = """What a step costs, over the first 400 steps at l_c = 50 um, with 113 neighbours; steps of two rates are large ones, of 200 small
+ones each:"""
 SLICES_TEXT = f"""The first {SLICE} ms at l_c = {SPACING} um with K_0 = 300 kPa; steps of two rates are large ones."""
