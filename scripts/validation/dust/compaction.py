@@ -38,7 +38,7 @@ FIRST = [f'{SIRONO}.K_0="300 kPa"', f'{SIRONO}.compression.powder.p_m="1.3 kPa"'
 CONVERGENCE = [plane("calibrated", spacing) for spacing in (100, 50, 25, 12.5)]
 CONVERGENCE_FIRST = [plane("table_1", spacing, FIRST, seconds=7) for spacing in (100, 50, 25)]
 IN_SPACE = [space("final", spacing) for spacing in (100, 50)]
-IN_SPACE_FIRST = [space("table_1", spacing, FIRST, seconds=10) for spacing in (100, 50)]
+IN_SPACE_FIRST = [space("table_1", 100, FIRST, seconds=10), space("table_1", 50, [*FIRST, "numerics.cfl=0.5"], seconds=5)]
 
 DOMAINS = {f"bowl of {depth} mm": plane(f"bowl_{depth}", settings=[f'dust.radius="{depth} mm"'], seconds=(depth / 3.3) ** 2) for depth in (1.375, 2.2, 3.3, 5.5)} | {
     f"box of 8 mm, {depth} mm deep": plane(
