@@ -15,7 +15,7 @@ def bounce(p_m, modulus, spacing=25, more=(), name=""):
     own = [f'{SIRONO}.compression.powder.p_m="{p_m} kPa"', f'{SIRONO}.K_0="{modulus} kPa"']
     if spacing != 25:
         own += [f'aggregate.spacing="{spacing} um"', f'plate.spacing="{spacing} um"', f'aggregate.position=[0,0,"{0.5 + 1e-3 * spacing:g} mm"]']
-    guess = 800 * (modulus / 5) ** 0.5 * (25 / spacing) ** 4
+    guess = 200 * (modulus / 5) ** 0.5 * (25 / spacing) ** 4
     return Run(f"dust/bounce{name}_{p_m}_{modulus}_{spacing:g}um", SCENE, [*own, *more], guess=guess)
 
 
@@ -25,6 +25,10 @@ SWEEP = {(p_m, modulus): bounce(p_m, modulus, more=[] if modulus < 10 else LONG)
 SPACINGS = {spacing: bounce(0.26, 5, spacing, [] if spacing > 20 else LONG) for spacing in (50, 25, 12.5)}
 GAMMA = {(spacing, gamma): bounce(0.26, 5, spacing, [f"{SIRONO}.gamma={gamma}", *([] if spacing == 50 else LONG)], f"_gamma_{gamma}")
          for spacing, gamma in ((50, 2), (50, 3), (50, 4), (50, 5), (50, 6), (25, 2))}
+SOFTER = {
+    (p_m, modulus): bounce(p_m, modulus, 25, [f"{SIRONO}.gamma=2", *LONG], "_gamma_2") for p_m, moduli in {0.26: (1, 5, 20, 500), 1.3: (1, 20, 300)}.items() for modulus in moduli
+}
+"""The sweep with gamma = 2."""
 CHOICES = {
     "as it is": [], "CFL 0.5": LONG, "h / l_c = 2.8 (eta 1.4)": ["numerics.eta=1.4"], "h / l_c = 5.6 (eta 2.8)": ["numerics.eta=2.8"],
     "no viscosity": ["numerics.contact_viscosity=false", "material.silica_dust.viscosity.alpha=0"], "alpha = 0.5": ["material.silica_dust.viscosity.alpha=0.5"],
@@ -38,7 +42,7 @@ PAPER = {(0.26, 5): "0.19", (0.26, 500): "0.09", (1.3, 1): "0.7", (1.3, 20): "0.
 
 
 def runs():
-    return list({run.name: run for sweep in (SPACINGS, CHOICE_RUNS, GAMMA, SWEEP) for run in sweep.values()}.values())
+    return list({run.name: run for sweep in (SPACINGS, CHOICE_RUNS, GAMMA, SOFTER, SWEEP) for run in sweep.values()}.values())
 
 
 HEAD = ["restitution", "energy lost", "contact", "particles", "steps", "core-s"]
@@ -61,6 +65,8 @@ def write(known):
         "Over the spacing, p_m = 0.26 kPa, K_0 = 5 kPa:", page.table(["l_c, um", *HEAD], [[key, *cells(known.get(run.name))] for key, run in SPACINGS.items()]),
         "The exponent gamma, which the paper does not print:",
         page.table(["l_c, um", "gamma", *HEAD], [[*key, *cells(known.get(run.name))] for key, run in GAMMA.items()]),
+        "With gamma = 2, at 25 um:",
+        page.table(["p_m, kPa", "K_0, kPa", *HEAD, "paper"], [[p_m, k, *cells(known.get(run.name)), PAPER.get((p_m, k), "")] for (p_m, k), run in SOFTER.items()]),
         CHOICE_TEXT, page.table(["choice", *HEAD], [[key, *cells(known.get(run.name))] for key, run in CHOICE_RUNS.items()]),
     ]
     draw(known)
@@ -69,11 +75,12 @@ def write(known):
 
 def draw(known):
     figure, axis = plt.subplots(figsize=(5, 3.6))
-    for p_m, moduli in MODULI.items():
-        points = [(k, (known.get(SWEEP[p_m, k].name) or {}).get("restitution")) for k in moduli]
-        points = [(k, found["coefficient"]) for k, found in points if found and found.get("coefficient") is not None]
-        if points:
-            axis.semilogx(*zip(*points), "o-", label=f"p_m = {p_m} kPa")
+    for gamma, sweep, line in ((4, SWEEP, "o-"), (2, SOFTER, "s--")):
+        for number, wanted in enumerate(MODULI):
+            points = [(k, (known.get(run.name) or {}).get("restitution")) for (p_m, k), run in sweep.items() if p_m == wanted]
+            points = [(k, found["coefficient"]) for k, found in points if found and found.get("coefficient") is not None]
+            if points:
+                axis.semilogx(*zip(*points), line, color=f"C{number}", label=f"p_m = {wanted} kPa, gamma = {gamma}")
     paper = [(k, float(value), p_m) for (p_m, k), value in PAPER.items()]
     axis.semilogx([k for k, _, _ in paper], [value for _, value, _ in paper], "kx", label="paper")
     axis.axhline(0.2, color="0.5", linestyle="--", label="experiment")
