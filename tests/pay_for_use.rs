@@ -65,7 +65,10 @@ const PORES: [(&str, usize); 3] = [("distention", 1), ("stress_factor", 1), ("co
 const ELASTIC_PORES: [(&str, usize); 1] = [("unloaded_distention", 1)];
 const RECORDS: [(&str, usize); 3] = [("peak_pressure", 1), ("melt_fraction", 1), ("vapour_fraction", 1)];
 const VARIABLE_H: [(&str, usize); 2] = [("smoothing_length", 1), ("build_smoothing_length", 1)];
-
+/// In the record with them: beta, as materials may differ in it.
+const SLOPES: [(&str, usize); 2] = [("slope_diagonal", 3), ("slope_off_diagonal", 3)];
+const SWITCH: [(&str, usize); 2] = [("viscosity_switch", 1), ("divergence", 1)];
+const RELAXATION: [(&str, usize); 1] = [("density_relaxation", 1)];
 const TWO_RATES: [(&str, usize); 4] = [("fast", 1), ("near_fast", 1), ("fast_acceleration", 3), ("fast_heating", 1)];
 
 /// A scene and what it may hold.
@@ -89,6 +92,7 @@ fn cases() -> Vec<Case> {
     let gradient = TensorGradient::Corrected { contrast: false, angular_momentum: true };
     let [solid, tensile] =
         [false, true].map(|artificial| Terms { stress: StressTerm::Tensor { artificial, gradient }, ..viscous });
+    let reconstructed = Terms { viscosity: ViscousTerm::Reconstructed, ..tensile };
     let mut columns = CORE.to_vec();
     let mut with = |more: &[(&'static str, usize)]| {
         columns.extend(more);
@@ -143,7 +147,24 @@ fn cases() -> Vec<Case> {
             tensile,
             6 + 6 + 1 + 6,
         ),
-        case("+ two rates", "two_rates.fast = [\"left\"]", false, with(&TWO_RATES), tensile, 6 + 6 + 1 + 6),
+        case("+ reconstruction", "numerics.reconstruction = true", false, with(&SLOPES), reconstructed, 6 + 6 + 1 + 10),
+        case(
+            "+ viscosity switch",
+            "numerics.viscosity_switch = true",
+            false,
+            with(&SWITCH),
+            reconstructed,
+            6 + 6 + 1 + 10,
+        ),
+        case(
+            "+ density relaxation",
+            "numerics.density_relaxation = true",
+            false,
+            with(&RELAXATION),
+            reconstructed,
+            6 + 6 + 1 + 10,
+        ),
+        case("+ two rates", "two_rates.fast = [\"left\"]", false, with(&TWO_RATES), reconstructed, 6 + 6 + 1 + 10),
     ]
 }
 

@@ -203,7 +203,7 @@ fn density_that_is_not_mass_over_volume_is_found() {
     ranks(1, "warnings::density_that_is_not_mass_over_volume_is_found", |comm| {
         let mut hand = ByHand::<3>::new(ball, comm, |_| {});
         hand.evaluate();
-        let good = hand.stepper.packing()[0];
+        let good = hand.stepper.check_density().bodies[0];
         assert!(good.inside > 500 && good.inside < 1300 && good.crowded + good.sparse == 0, "{good:?}");
         for (factor, crowds) in [(1.0 / 3.0, false), (3.0, true)] {
             // The density that all believe in, over the true one.
@@ -213,7 +213,7 @@ fn density_that_is_not_mass_over_volume_is_found() {
                 hand.set("density", i, density / factor);
             }
             hand.evaluate();
-            let found = hand.stepper.packing()[0];
+            let found = hand.stepper.check_density().bodies[0];
             let (off, right) = if crowds { (found.crowded, found.sparse) } else { (found.sparse, found.crowded) };
             assert!(found.inside > 500 && off == found.inside && right == 0, "{factor}: {found:?}");
         }
@@ -223,9 +223,9 @@ fn density_that_is_not_mass_over_volume_is_found() {
         hand.set("position", lone, Vec3::new(9.0, 0.0, 0.0));
         hand.set("density", lone, 8100.0);
         hand.evaluate();
-        let found = hand.stepper.packing()[0];
+        let found = hand.stepper.check_density().bodies[0];
         assert_eq!((found.alone, found.off()), (1, 1), "{found:?}");
         hand.stepper.release_buffers();
-        assert_eq!(hand.stepper.packing()[0].judged(), 0);
+        assert_eq!(hand.stepper.check_density().bodies[0].judged(), 0);
     });
 }

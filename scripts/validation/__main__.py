@@ -16,7 +16,7 @@ import sys
 
 from common import page
 from common.runs import expected, missing, perform, show
-from validation import campaigns, compaction, contacts, convergence, craters, crush, dust, fracture, granular, gravity, hugoniots, integrators, price, q_star, rest
+from validation import campaigns, compaction, contacts, convergence, craters, crush, dissipation, dust, fracture, granular, gravity, hugoniots, integrators, price, q_star, rest
 
 TOPICS = {
     "convergence": convergence,
@@ -29,6 +29,7 @@ TOPICS = {
     "granular": granular,
     "price": price,
     "integrators": integrators,
+    "dissipation": dissipation,
     "fracture": fracture,
     "craters": craters,
     "dust": dust,

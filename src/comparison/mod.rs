@@ -1,6 +1,7 @@
 //! The exact solution that a scene names: made at the start from the scene's own numbers, compared at the end.
 
 pub mod elastic;
+pub mod growth;
 pub mod modes;
 pub mod pictures;
 pub mod profile;
@@ -44,11 +45,12 @@ impl Comparison {
         Ok(Some(Self { reference, title: scene.title.clone() }))
     }
 
-    /// Time, s, and the amplitude of a vibration or the speed of matter that should be at rest; `None` for other solutions.
+    /// Time, s, and the amplitude of a vibration or a growing wave, or the speed of matter that should be at rest; `None` for other solutions.
     /// Collective.
     pub fn sample<const D: usize>(&self, stepper: &Stepper<D>, time: f64, comm: &Comm) -> Option<[f64; 2]> {
         match &self.reference {
             Reference::Vibration(vibration) => Some([time, signal::amplitude(vibration, stepper, comm)]),
+            Reference::Growth(growth) => Some([time, growth::amplitude(growth, stepper, comm)]),
             Reference::Rest(rest) => Some([time, rest::speed(rest, stepper, comm)]),
             Reference::Profile(_) | Reference::Rotation(_) => None,
         }
@@ -68,6 +70,7 @@ impl Comparison {
         match &self.reference {
             Reference::Profile(profile) => profile::compare(profile, stepper, time, pictures, comm),
             Reference::Vibration(vibration) => signal::compare(vibration, samples, pictures, comm),
+            Reference::Growth(growth) => growth::compare(growth, samples),
             Reference::Rest(rest) => rest::compare(rest, stepper, samples, pictures, comm),
             Reference::Rotation(rotation) => {
                 let turns = rotation.spin * time / (2.0 * std::f64::consts::PI);

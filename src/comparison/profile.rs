@@ -75,6 +75,11 @@ impl<const D: usize> Reader<'_, '_, D> {
                 let normal = [s.xx, s.yy, -s.xx - s.yy][along];
                 (x[along], v[moves], pressure - normal)
             }
+            Place::Around(centre) => {
+                let r = x - Vec3::from(centre);
+                let length = libm::hypot(r.x, r.y);
+                (length, if length > 0.0 { (r.x * v.y - r.y * v.x) / length } else { 0.0 }, pressure)
+            }
             Place::Radius(centre) => {
                 let r = x - Vec3::from(centre);
                 let length = r.norm();
@@ -297,7 +302,7 @@ fn draw(compared: &Compared, pictures: Pictures, comm: &Comm) -> Result<()> {
             words.chunks_exact(FIELD_COUNT + 1).map(|w| std::array::from_fn(|k| f64::from_bits(w[k])))
         })
         .collect();
-    let (radius, step) = (matches!(profile.place, Place::Radius(_)), (ends[1] - ends[0]) / (POINTS - 1) as f64);
+    let (radius, step) = (!matches!(profile.place, Place::Axis { .. }), (ends[1] - ends[0]) / (POINTS - 1) as f64);
     let curve: Vec<(f64, [f64; FIELD_COUNT])> =
         (0..POINTS).map(|k| ends[0] + k as f64 * step).map(|s| (s, fields(&(profile.at)(s, time)))).collect();
     let draw = |(k, (name, unit)): (usize, &(&str, &str))| {

@@ -4,7 +4,8 @@
 //! q = sum m v . phi / sum m phi . phi        (particles of the vibrating body)
 //! q(t) = exp(-d t) (A cos w t + B sin w t)   fitted by least squares
 //! ```
-//! Errors: `frequency` w over the exact one, less one; `damping` d / w, the amplitude lost per radian.
+//! Errors: `frequency` w over the exact one, less one; `damping` d / w, the amplitude lost per radian. Where nothing pulls back, in a
+//! fluid that moves across, q = q_0 exp(-d t), and all of it is an error: `viscosity` d / (k^2 c h), the kinematic viscosity over c h.
 
 use std::f64::consts::PI;
 
@@ -91,6 +92,9 @@ pub fn compare(
     pictures: Option<Pictures>,
     comm: &Comm,
 ) -> Result<Figures> {
+    if vibration.frequency == 0.0 {
+        return fading(vibration, samples);
+    }
     let span = samples.last().map_or(0.0, |last| last[0]);
     if samples.len() < 8 || span * vibration.frequency < 0.5 * PI {
         return Err(Error::new(format!("{} samples over {span:e} s show no vibration", samples.len()))
@@ -106,6 +110,23 @@ pub fn compare(
         ("damping", fit.decay / fit.frequency),
         ("amplitude", fit.parts[0] / vibration.speed - 1.0),
     ];
+    Ok(Figures(errors.map(|(name, value)| (name.to_string(), value)).to_vec()))
+}
+
+/// What is left of a flow that nothing pulls back.
+fn fading(vibration: &Vibration, samples: &[[f64; 2]]) -> Result<Figures> {
+    let counts: Vec<[f64; 2]> = samples.iter().filter(|[_, q]| *q > 0.0).map(|&[t, q]| [t, libm::log(q)]).collect();
+    if counts.len() < 8 {
+        return Err(Error::new(format!("{} samples show no decay", counts.len()))
+            .allowed("a shorter run, or output.history_every small enough for 8 samples before the flow ends"));
+    }
+    let mean = [0, 1].map(|k| counts.iter().map(|sample| sample[k]).sum::<f64>() / counts.len() as f64);
+    let (mut tt, mut tq) = (0.0, 0.0);
+    for [t, q] in &counts {
+        (tt, tq) = (tt + (t - mean[0]) * (t - mean[0]), tq + (t - mean[0]) * (q - mean[1]));
+    }
+    let left = samples.last().map_or(f64::NAN, |last| last[1] / vibration.speed);
+    let errors = [("viscosity", -tq / tt / vibration.decay), ("amplitude", left - 1.0)];
     Ok(Figures(errors.map(|(name, value)| (name.to_string(), value)).to_vec()))
 }
 
@@ -131,6 +152,16 @@ fn draw(vibration: &Vibration, fit: &Fit, samples: &[[f64; 2]], pictures: Pictur
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_fading_flow_is_found() {
+        let shape = Box::new(|_: [f64; 3]| [0.0; 3]);
+        let vibration = Vibration { body: 0, shape, frequency: 0.0, decay: 4.0, speed: 0.5 };
+        let samples: Vec<[f64; 2]> = (0..20).map(|k| 0.1 * k as f64).map(|t| [t, 0.5 * libm::exp(-0.2 * t)]).collect();
+        let Figures(found) = fading(&vibration, &samples).expect("a decay");
+        assert!((found[0].1 - 0.05).abs() < 1e-12 && (found[1].1 - libm::exp(-0.38) + 1.0).abs() < 1e-12, "{found:?}");
+        assert!(fading(&vibration, &samples[..7]).is_err());
+    }
 
     #[test]
     fn a_fading_vibration_is_found() {

@@ -7,17 +7,19 @@ use crate::error::{Error, Result};
 use crate::exact::compaction::PorousMedium;
 use crate::exact::piston::{Piston, Solid};
 use crate::exact::riemann::{Gas, Riemann};
+use crate::exact::shear_layer::growth;
 use crate::exact::shock::{Impact, Medium};
 use crate::exact::{State, noh::Noh, sedov::Sedov};
 use crate::material::MaterialTable;
 use crate::material::eos::EosTable;
 use crate::motion::PrescribedMotion;
-use crate::scene::{Body, BodyShape, ComparisonSettings, Flow, Layer, Scene, Solution};
+use crate::scene::{Body, BodyShape, ComparisonSettings, Flow, Layer, Scene, Solution, Streams};
 
 /// A solution ready to be compared with.
 pub enum Reference {
     Profile(Profile),
     Vibration(Vibration),
+    Growth(Growth),
     Rotation(Rotation),
     Rest(Rest),
 }
@@ -42,6 +44,8 @@ pub enum Place {
     Axis { along: usize, moves: usize },
     /// Distance from this point, m.
     Radius([f64; 3]),
+    /// Distance from an axis along z through this point, m; the velocity that counts is that around it.
+    Around([f64; 3]),
 }
 
 /// A vibration of one body.
@@ -49,10 +53,22 @@ pub struct Vibration {
     pub body: usize,
     /// Velocity at a place, m, of a vibration of amplitude 1.
     pub shape: Box<dyn Fn([f64; 3]) -> [f64; 3] + Sync>,
-    /// rad/s.
+    /// rad/s; zero where nothing pulls back, in a fluid that moves across.
     pub frequency: f64,
+    /// Decay, 1/s, by a viscosity of c h.
+    pub decay: f64,
     /// Amplitude at the start, m/s.
     pub speed: f64,
+}
+
+/// A wave on a layer between two streams.
+pub struct Growth {
+    pub body: usize,
+    /// Of the body, m.
+    pub centre: [f64; 3],
+    pub streams: Streams,
+    /// 1/s.
+    pub rate: f64,
 }
 
 /// A rotating body.
@@ -81,6 +97,8 @@ pub fn of(scene: &Scene, compare: &ComparisonSettings) -> Result<Reference> {
         }
         Solution::Impact => impact(scene, within, false).map(Reference::Profile),
         Solution::Release => impact(scene, within, true).map(Reference::Profile),
+        Solution::Vortex => vortex(scene, within).map(Reference::Profile),
+        Solution::ShearLayer => shear_layer(scene).map(Reference::Growth),
         Solution::StandingWave => standing_wave(scene).map(Reference::Vibration),
         Solution::Vibration => vibration(scene).map(Reference::Vibration),
         Solution::Rest => Rest::new(scene, compare.after).map(Reference::Rest).ok_or_else(|| needs("gravity")),
@@ -158,6 +176,31 @@ fn implosion(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
     let solution = Noh::new(scene.dimension, gamma, body.density, -speed)?;
     let at = Box::new(move |r: f64, t: f64| solution.at(r, t));
     Ok(Profile { place: Place::Radius(body.centre), within, core: None, at, origin: 0.0 })
+}
+
+fn shear_layer(scene: &Scene) -> Result<Growth> {
+    let streams = |body: &Body| match body.flow {
+        Some(Flow::Streams(streams)) => Some(streams),
+        _ => None,
+    };
+    let found = scene.bodies.iter().enumerate().find_map(|(number, body)| streams(body).map(|flow| (number, flow)));
+    let (body, streams) = found.ok_or_else(|| needs("a body with flow.streams"))?;
+    let rate = growth(streams.speed.abs(), streams.half_width, streams.wavenumber)?;
+    Ok(Growth { body, centre: scene.bodies[body].centre, streams, rate })
+}
+
+fn vortex(scene: &Scene, within: [f64; 2]) -> Result<Profile> {
+    let body = scene.bodies.iter().find(|body| matches!(body.flow, Some(Flow::Vortex { .. })));
+    let body = body.ok_or_else(|| needs("a body with flow.vortex"))?;
+    let (Gas { density, pressure, .. }, gamma) = gas(scene, body)?;
+    let Some(flow) = body.flow else { return Err(needs("a vortex")) };
+    let at = Box::new(move |r: f64, _: f64| {
+        let place = [r, 0.0, 0.0];
+        let stress = pressure + density * flow.pressure(place);
+        let velocity = flow.velocity(place).map_or(0.0, |v| v[1]);
+        State { density, velocity, stress, internal_energy: stress / ((gamma - 1.0) * density), ..State::default() }
+    });
+    Ok(Profile { place: Place::Around(body.centre), within, core: None, at, origin: 0.0 })
 }
 
 /// The face of the piston is where its layer ends; the solid lies beyond, in the direction of its motion.
@@ -255,13 +298,20 @@ fn standing_wave(scene: &Scene) -> Result<Vibration> {
     let number = found.ok_or_else(|| needs("a body with flow.wave"))?;
     let body = &scene.bodies[number];
     let Some(Flow::Wave { along, moves, wavelength, speed }) = body.flow else { return Err(needs("a wave")) };
-    let constants = elastic(scene, body)?;
-    let sound = if along == moves { constants.longitudinal_speed() } else { constants.shear_speed() };
+    let [bulk, shear] = material(scene, body).moduli(body.density).ok_or_else(|| needs("a solid or a liquid"))?;
+    // A liquid bears no shear.
+    let [along_it, across] = match shear > 0.0 {
+        true => elastic(scene, body).map(|solid| [solid.longitudinal_speed(), solid.shear_speed()])?,
+        false => [(bulk / body.density).sqrt(), 0.0],
+    };
+    let sound = if along == moves { along_it } else { across };
     let centre = body.centre;
     let flow = Flow::Wave { along, moves, wavelength, speed: 1.0 };
     let shape =
         Box::new(move |x: [f64; 3]| flow.velocity(std::array::from_fn(|k| x[k] - centre[k])).unwrap_or_default());
-    Ok(Vibration { body: number, shape, frequency: 2.0 * std::f64::consts::PI * sound / wavelength, speed })
+    let k = 2.0 * std::f64::consts::PI / wavelength;
+    let decay = k * k * along_it * body.expected_smoothing_length(scene.numerics.eta);
+    Ok(Vibration { body: number, shape, frequency: k * sound, decay, speed })
 }
 
 fn vibration(scene: &Scene) -> Result<Vibration> {
@@ -272,5 +322,5 @@ fn vibration(scene: &Scene) -> Result<Vibration> {
     let mode = ModeShape::new(scene, body, shape)?;
     let (centre, frequency) = (body.centre, mode.frequency);
     let shape = Box::new(move |x: [f64; 3]| mode.velocity(std::array::from_fn(|k| x[k] - centre[k])));
-    Ok(Vibration { body: number, shape, frequency, speed })
+    Ok(Vibration { body: number, shape, frequency, decay: f64::NAN, speed })
 }

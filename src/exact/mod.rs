@@ -9,6 +9,7 @@ pub mod noh;
 pub mod piston;
 pub mod riemann;
 pub mod sedov;
+pub mod shear_layer;
 pub mod shock;
 pub mod vibration;
 pub mod waves;

@@ -93,6 +93,9 @@ fn effects(scene: &Scene, plan: &Plan) -> String {
     let t = &plan.terms;
     let terms = [
         ("viscosity", t.viscosity != ViscousTerm::Off),
+        ("reconstruction", t.reconstructs()),
+        ("viscosity_switch", plan.switch.is_some()),
+        ("density_relaxation", plan.relaxation.is_some()),
         ("contact_viscosity", plan.view.contact_alpha().is_some()),
         ("corrected_gradient", t.corrects()),
         ("artificial_stress", t.artificial_stress()),

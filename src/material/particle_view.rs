@@ -2,7 +2,7 @@
 //! has. Each is a column in some scenes and a number of the body in others; the caller need not know.
 
 use super::damage::{DAMAGE, damaged_pressure, damaged_stress};
-use super::viscosity::CONTACT_ALPHA;
+use super::viscosity::{CONTACT_ALPHA, SWITCH};
 use super::{BodyConstants, Core, MaterialTable, Setup, porosity, smoothing_length, strength};
 use crate::math::{Deviator, Sym};
 use crate::particles::{Column, Registry, Values};
@@ -26,6 +26,8 @@ pub struct ParticleView {
     loading_speed: Option<Column<f64>>,
     /// Where matter takes the alpha of what it touches.
     contact_alpha: Option<Column<f64>>,
+    /// Share of alpha, where a switch decides it.
+    switch: Option<Column<f64>>,
 }
 
 /// Properties of a body by its material.
@@ -81,6 +83,7 @@ impl ParticleView {
             distention: registry.find(porosity::DISTENTION),
             loading_speed: registry.find(porosity::LOADING_SPEED),
             contact_alpha: registry.find(CONTACT_ALPHA),
+            switch: registry.find(SWITCH),
         }
     }
 
@@ -151,7 +154,9 @@ impl ParticleView {
     #[inline]
     pub fn viscosity(&self, particles: &impl Values, i: usize, body: usize) -> Viscosity {
         let own = self.bodies[body].viscosity;
-        self.contact_alpha.map_or(own, |column| Viscosity { alpha: particles.value(column, i), ..own })
+        let alpha = self.contact_alpha.map_or(own.alpha, |column| particles.value(column, i));
+        let share = self.switch.map_or(1.0, |column| particles.value(column, i));
+        Viscosity { alpha: alpha * share, ..own }
     }
 
     /// The column of alpha where matter takes that of what it touches.

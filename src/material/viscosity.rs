@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::MaterialTable;
 use super::setup::{Table, none_negative};
 use crate::error::{Error, Result};
-use crate::particles::{ColumnInfo, Life, Registry};
+use crate::particles::{Column, ColumnInfo, Life, Registry};
 use crate::units::{Number, Quantity};
 
 /// Name of the column of alpha where matter that touches other matter takes its alpha.
@@ -25,6 +25,24 @@ pub fn declare_contact(registry: &mut Registry) {
     let info = ColumnInfo { name: CONTACT_ALPHA, unit: "", about, life: Life::Kept, snapshot: false };
     registry.owner("viscosity").column::<f64>(info);
 }
+
+/// Name of the column of the divergence of velocity.
+pub const DIVERGENCE: &str = "divergence";
+
+/// Declares the divergence, for a viscosity that depends on what it was.
+pub fn declare_divergence(registry: &mut Registry) -> Column<f64> {
+    let about = "Divergence of velocity at the last evaluation.";
+    registry.owner("viscosity").column(ColumnInfo {
+        name: DIVERGENCE,
+        unit: "1/s",
+        about,
+        life: Life::Kept,
+        snapshot: false,
+    })
+}
+
+/// Name of the column of the share of alpha that a particle has where a switch decides it.
+pub const SWITCH: &str = "viscosity_switch";
 
 /// Artificial viscosity between particles.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]

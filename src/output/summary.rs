@@ -128,6 +128,9 @@ pub struct Summary {
     pub momentum_drift: f64,
     #[serde(deserialize_with = "number")]
     pub angular_momentum_drift: f64,
+    /// By how much density is off mass over volume at the end: 99 of 100 particles inside matter by less.
+    #[serde(deserialize_with = "number")]
+    pub density_drift: f64,
     /// Name -> share of the time.
     pub phases: Figures,
     /// Name -> share of the time, of effects with an update of their own.

@@ -85,7 +85,8 @@ impl<
         viscosity: match VISCOSITY {
             0 => ViscousTerm::Off,
             1 => ViscousTerm::SameBeta,
-            _ => ViscousTerm::OwnBeta,
+            2 => ViscousTerm::OwnBeta,
+            _ => ViscousTerm::Reconstructed,
         },
     };
     type Kernel = K;
@@ -170,6 +171,8 @@ fn with_viscosity<
         ViscousTerm::Off => with_lanes::<Chosen<D, T, A, C, M, X, 0, K>, D>(width),
         ViscousTerm::SameBeta => with_lanes::<Chosen<D, T, A, C, M, X, 1, K>, D>(width),
         ViscousTerm::OwnBeta => with_lanes::<Chosen<D, T, A, C, M, X, 2, K>, D>(width),
+        // Gradients are corrected where they carry velocities.
+        ViscousTerm::Reconstructed => with_lanes::<Chosen<D, T, A, true, M, X, 3, K>, D>(width),
     }
 }
 

@@ -4,7 +4,7 @@
 use super::record::{Layout, StressTerm, Terms, ViscousTerm};
 use super::stress::{PairStress, add_pressure_force};
 use super::viscosity::{Inputs, viscous};
-use super::{Pair, angular_momentum, artificial_stress, contrast};
+use super::{Pair, angular_momentum, artificial_stress, contrast, reconstruction};
 use crate::kernel::{SUPPORT, Shape};
 use crate::math::lanes::Lanes;
 
@@ -267,11 +267,19 @@ unsafe fn resist<L: Lanes, F: Form, const D: usize>(
                 return Resistance { r_inverse: L::splat(1.0).div(pair.r), pressure: L::splat(0.0) };
             }
             ViscousTerm::SameBeta => fixed.beta,
-            ViscousTerm::OwnBeta => i.half(layout.beta()).add(j.half(layout.beta())).mul(L::splat(0.5)),
+            ViscousTerm::OwnBeta | ViscousTerm::Reconstructed => {
+                i.half(layout.beta()).add(j.half(layout.beta())).mul(L::splat(0.5))
+            }
         };
         let density = [i.half(layout.density()), j.half(layout.density())];
         let beta = if F::TERMS.contrast() { contrast::beta_of(beta, density[0], density[1]) } else { beta };
-        let inputs = Inputs { density, alpha_c: i.half(layout.alpha_c()).add(j.half(layout.alpha_c())), beta };
+        let jump = if F::TERMS.reconstructs() {
+            let (from, words) = (layout.slope(), layout.tensor_words());
+            reconstruction::jump(pair, [&i.halves(from, words), &j.halves(from, words)])
+        } else {
+            pair.v_dot_x.min(L::splat(0.0))
+        };
+        let inputs = Inputs { density, alpha_c: i.half(layout.alpha_c()).add(j.half(layout.alpha_c())), beta, jump };
         let out = viscous(pair, meeting.r2, &inputs);
         sums.approach = sums.approach.max(out.approach.keep(meeting.inside));
         Resistance { r_inverse: out.r_inverse, pressure: out.pressure }

@@ -21,6 +21,7 @@ pub mod contrast;
 pub mod correction;
 pub mod dispatch;
 pub mod interact;
+pub mod reconstruction;
 pub mod record;
 pub mod rows;
 pub mod stress;

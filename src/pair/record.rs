@@ -50,6 +50,8 @@ pub enum ViscousTerm {
     SameBeta,
     /// beta differs: it is in the record.
     OwnBeta,
+    /// The same, and acts on what is left of a pair's approach once the flow around is taken off: its gradient is in the record.
+    Reconstructed,
 }
 
 impl Terms {
@@ -85,6 +87,11 @@ impl Terms {
             self.stress,
             StressTerm::Tensor { gradient: TensorGradient::Corrected { angular_momentum: true, .. }, .. }
         )
+    }
+
+    /// Whether viscosity acts on reconstructed velocities.
+    pub const fn reconstructs(&self) -> bool {
+        matches!(self.viscosity, ViscousTerm::Reconstructed)
     }
 
     /// Whether a pair heats beyond the work of the stress.
@@ -147,6 +154,11 @@ impl Layout {
         self.density() + 3
     }
 
+    /// The gradient that carries velocities to the middle of a pair, 1/s.
+    pub const fn slope(&self) -> usize {
+        self.density() + 4
+    }
+
     /// Artificial stress, Pa.
     pub const fn artificial(&self) -> usize {
         self.density()
@@ -154,6 +166,7 @@ impl Layout {
                 ViscousTerm::Off => 2,
                 ViscousTerm::SameBeta => 3,
                 ViscousTerm::OwnBeta => 4,
+                ViscousTerm::Reconstructed => 4 + self.tensor_words(),
             }
     }
 

@@ -14,6 +14,8 @@ pub struct Inputs<L: Lanes> {
     pub alpha_c: L,
     /// Mean beta.
     pub beta: L,
+    /// v.x of the approach that is resisted, m^2/s; not positive.
+    pub jump: L,
 }
 
 /// 1/r and the two numbers of viscosity, from one division.
@@ -22,7 +24,7 @@ pub struct Result<L: Lanes> {
     pub r_inverse: L,
     /// p_ij, Pa.
     pub pressure: L,
-    /// |mu| of approach, m/s.
+    /// |mu| of the whole approach, m/s.
     pub approach: L,
 }
 
@@ -34,7 +36,8 @@ pub unsafe fn viscous<L: Lanes, const D: usize>(pair: &Pair<L, D>, r2: L, inputs
         let [rho_i, rho_j] = inputs.density;
         let g = pair.h_inverse;
         // mu = w / d with everything in units of h.
-        let w = pair.v_dot_x.min(L::splat(0.0)).mul(g);
+        let w = inputs.jump.mul(g);
+        let closing = pair.v_dot_x.min(L::splat(0.0)).mul(g);
         let d = r2.mul(g).fma(g, L::splat(0.01));
         let rho_sum = rho_i.add(rho_j);
         let d2_rho = d.mul(d).mul(rho_sum);
@@ -44,7 +47,7 @@ pub unsafe fn viscous<L: Lanes, const D: usize>(pair: &Pair<L, D>, r2: L, inputs
         let bracket = inputs.beta.mul(w).mul(L::splat(2.0));
         let bracket = inputs.alpha_c.fnma(d, bracket);
         let pressure = rho_i.mul(rho_j).mul(w.mul(bracket)).mul(r_t);
-        let approach = L::splat(0.0).sub(w).mul(d.mul(rho_sum)).mul(r_t);
+        let approach = L::splat(0.0).sub(closing).mul(d.mul(rho_sum)).mul(r_t);
         Result { r_inverse: t.mul(d2_rho), pressure, approach }
     }
 }

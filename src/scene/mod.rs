@@ -22,7 +22,7 @@ pub use geometry::shape::BodyShape;
 pub use hydrostatic::pressed::Pressed;
 pub use reading::read::{of, read};
 pub use tables::body::blast::Blast;
-pub use tables::body::flow::{Flow, VibrationMode};
+pub use tables::body::flow::{Flow, Streams, VibrationMode};
 pub use tables::body::table::InitialState;
 pub use tables::body::validated::Body;
 pub use tables::compare::{ComparisonSettings, Solution};

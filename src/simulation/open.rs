@@ -19,6 +19,7 @@ use crate::particles::ParticleId;
 use crate::process::faults::Fault;
 use crate::process::{log, resources};
 use crate::scene::Scene;
+use crate::step::packing::DensityCheck;
 use crate::step::time_step::{Limit, NamedLimit};
 use crate::step::{Counters, Stepper};
 use crate::warning;
@@ -63,7 +64,7 @@ impl<'a, const D: usize> Run<'a, D> {
             saved: Instant::now(),
             fault,
             comparison,
-            packing: Vec::new(),
+            density: DensityCheck::unknown(),
             failed: None,
             products: Products::default(),
             last: None,

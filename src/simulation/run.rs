@@ -17,7 +17,7 @@ use crate::output::summary::Accuracy;
 use crate::output::{History, Summary};
 use crate::process::faults::Fault;
 use crate::scene::Scene;
-use crate::step::packing::Packing;
+use crate::step::packing::DensityCheck;
 use crate::step::time_step::NamedLimit;
 use crate::step::{Stepper, Totals};
 
@@ -68,7 +68,7 @@ pub(super) struct Run<'a, const D: usize> {
     pub(super) fault: Fault,
     pub(super) comparison: Option<Comparison>,
     /// Whether density is mass over volume, at the last check.
-    pub(super) packing: Vec<Packing>,
+    pub(super) density: DensityCheck,
     /// An error of this rank alone.
     pub(super) failed: Option<Error>,
     /// Files of an outcome to be written.

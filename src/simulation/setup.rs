@@ -10,7 +10,7 @@ use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::gravity::{self, Attraction, OwnGravity};
 use crate::kernel::{CubicSpline, Shape};
-use crate::material::eos::INTERNAL_ENERGY;
+use crate::material::eos::{EosTable, INTERNAL_ENERGY};
 use crate::material::{self, BodyConstants, Core, MaterialEffect, ParticleView, Setup};
 use crate::math::{ExactSum, Vec3};
 use crate::motion::rigid::{MovedColumns, RigidMatter};
@@ -24,7 +24,10 @@ use crate::scene::{Blast, Body, Flow, InitialState, IntegratorRule, Pressed, Sce
 use crate::step::StepSettings;
 use crate::step::integrator::{CashKarp, Integrator, PredictorCorrector, RungeKutta};
 use crate::step::pack::{Moments, Packer};
+use crate::step::packing::DensityRelaxation;
 use crate::step::rates::{RateColumns, RateSettings};
+use crate::step::slopes::Slopes;
+use crate::step::switch::ViscositySwitch;
 
 /// Effects, columns and settings of a scene, before any particle exists.
 pub struct Plan {
@@ -38,6 +41,9 @@ pub struct Plan {
     pub rigid: Option<RigidMatter>,
     pub gravity: Option<Attraction>,
     pub two_rates: Option<RateSettings>,
+    pub divergence: Option<Column<f64>>,
+    pub switch: Option<ViscositySwitch>,
+    pub relaxation: Option<DensityRelaxation>,
 }
 
 /// Number of particles from which on a body's volume gives their number as well as a count.
@@ -112,6 +118,10 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
     if scene.numerics.contact_viscosity {
         material::viscosity::declare_contact(&mut registry);
     }
+    let switch = scene.numerics.viscosity_switch.map(|floor| ViscositySwitch::declare(&mut registry, floor));
+    let divergence = switch.is_some().then(|| material::viscosity::declare_divergence(&mut registry));
+    let (beyond, eta) = (scene.numerics.density_relaxation, scene.numerics.eta);
+    let relaxation = beyond.map(|beyond| DensityRelaxation::declare(&mut registry, beyond, eta));
     let mut view = ParticleView::new(&setup, &registry, core);
     (view.rigid, view.standing) = (matter.rigid, matter.standing);
     let masses: Vec<f64> = constants.iter().map(|body| body.particle_mass).collect();
@@ -139,13 +149,30 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
     if terms.angular_momentum() {
         Moments::declare(&mut registry);
     }
+    if scene.numerics.reconstruction {
+        Slopes::declare(&mut registry);
+    }
     let integrator = integrator(scene, &mut registry, &view)?;
     let two_rates = scene.two_rates.as_ref().map(|rates| RateSettings {
         bodies: rates.fast.clone(),
         steps: rates.steps,
         columns: RateColumns::declare(&mut registry),
     });
-    Ok(Plan { registry, view, effects, integrator, terms, constants, motions, rigid, gravity, two_rates })
+    Ok(Plan {
+        registry,
+        view,
+        effects,
+        integrator,
+        terms,
+        constants,
+        motions,
+        rigid,
+        gravity,
+        two_rates,
+        divergence,
+        switch,
+        relaxation,
+    })
 }
 
 /// Refuses what a scene says about heat where every law of its matter is cold: it would be lost, or never found.
@@ -214,6 +241,7 @@ fn terms(scene: &Scene, view: &ParticleView) -> Terms {
         },
         viscosity: match (numerics.viscosity, betas.windows(2).all(|pair| pair[0] == pair[1])) {
             (false, _) => ViscousTerm::Off,
+            _ if numerics.reconstruction => ViscousTerm::Reconstructed,
             (true, true) => ViscousTerm::SameBeta,
             (true, false) => ViscousTerm::OwnBeta,
         },
@@ -271,6 +299,9 @@ impl Plan {
                     columns.set(damage, i, body.damage_at(position));
                 }
                 let mut energy = body.internal_energy;
+                if let EosTable::IdealGas(gas) = &scene.materials[body.material].eos {
+                    energy += body.flow_pressure(position) / (gas.gamma.0 - 1.0);
+                }
                 if let Some(pressed) = &pressed {
                     let (place, density, pressed_in) = pressed.at(position);
                     columns.set(core.position, i, Vec3::from(place));
@@ -312,6 +343,9 @@ impl Plan {
             gravity: self.gravity,
             periods: scene.periods,
             two_rates: self.two_rates,
+            divergence: self.divergence,
+            switch: self.switch,
+            relaxation: self.relaxation,
             pair_loop,
             cfl: numerics.cfl,
             skin: numerics.skin,

@@ -47,6 +47,9 @@ impl Derivatives<'_> {
         self.take_forces(workspace);
         let local = local(settings, chunk, workspace, 0.0);
         workspace.each_effect(&settings.effects, |effect| effect.rates(&local));
+        if let Some(relaxation) = &settings.relaxation {
+            relaxation.add(chunk, settings.view.core.density, &workspace.rates);
+        }
         let limit = self.step_limit(&local, workspace, damping);
         if !workspace.rates.are_finite(chunk.len(), self.registry.dimension) {
             let found = failure::first_non_finite_rate(settings, self.registry, &local);
@@ -199,11 +202,24 @@ fn corrected(layout: &Layout, raw: &Mat3, sums: &RowSums) -> Mat3 {
     if !layout.terms.corrects() {
         return *raw;
     }
+    let m = moment(layout, sums);
+    if layout.dimension == 2 { correction::corrected::<2>(raw, &m) } else { correction::corrected::<3>(raw, &m) }
+}
+
+/// Whether the neighbours of a row tell a gradient that is exact for linear flow.
+pub fn is_corrected(layout: &Layout, sums: &RowSums) -> bool {
+    let m = moment(layout, sums);
+    let inverse = if layout.dimension == 2 { correction::inverse::<2>(&m) } else { correction::inverse::<3>(&m) };
+    layout.terms.corrects() && sums.neighbours > 0 && inverse.is_some()
+}
+
+/// M_i.
+fn moment(layout: &Layout, sums: &RowSums) -> Sym {
     let m = &sums.moment;
     if layout.dimension == 2 {
-        correction::corrected::<2>(raw, &Sym { xx: m[0], yy: m[1], xy: m[2], ..Sym::ZERO })
+        Sym { xx: m[0], yy: m[1], xy: m[2], ..Sym::ZERO }
     } else {
-        correction::corrected::<3>(raw, &Sym { xx: m[0], yy: m[1], zz: m[2], xy: m[3], xz: m[4], yz: m[5] })
+        Sym { xx: m[0], yy: m[1], zz: m[2], xy: m[3], xz: m[4], yz: m[5] }
     }
 }
 

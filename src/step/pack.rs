@@ -3,6 +3,7 @@
 
 use std::ops::Range;
 
+use super::slopes::Slopes;
 use crate::material::{ParticleView, Viscosity};
 use crate::math::lanes::LANES;
 use crate::math::{Sym, Vec3};
@@ -18,6 +19,8 @@ pub struct Packer {
     layout: Layout,
     /// Where angular momentum is conserved.
     pub moments: Option<Moments>,
+    /// Where viscosity is reconstructed.
+    pub slopes: Option<Slopes>,
     /// Strength epsilon of the artificial stress.
     epsilon: f64,
     /// Spacing over smoothing length, to the power of the dimension, times two: V_max / h^d.
@@ -83,6 +86,7 @@ impl Packer {
             view: view.clone(),
             layout: *layout,
             moments: Moments::find(registry),
+            slopes: Slopes::find(registry),
             epsilon,
             most_volume: 2.0 / eta.powi(registry.dimension as i32),
             eta,
@@ -146,8 +150,11 @@ impl Packer {
         if layout.terms.viscosity != ViscousTerm::Off {
             set_half(record, layout.alpha_c(), alpha * view.viscous_speed(columns, i, body) / standing);
         }
-        if layout.terms.viscosity == ViscousTerm::OwnBeta {
+        if matches!(layout.terms.viscosity, ViscousTerm::OwnBeta | ViscousTerm::Reconstructed) {
             set_half(record, layout.beta(), beta);
+        }
+        if let Some(slopes) = &self.slopes {
+            write_halves(layout, &slopes.of(columns, i), layout.slope(), record);
         }
         if !layout.terms.tensor() {
             record[layout.stress()] = -view.acting_pressure(columns, i, body);
@@ -156,9 +163,7 @@ impl Packer {
         let stress = view.acting_stress(columns, i, body);
         write_tensor(layout.dimension, &stress, &mut record[layout.stress()..]);
         if layout.terms.artificial_stress() {
-            let mut words = [0.0; 6];
-            write_tensor(layout.dimension, &artificial_stress(&stress, self.epsilon), &mut words);
-            (0..layout.tensor_words()).for_each(|k| set_half(record, layout.artificial() + k, words[k]));
+            write_halves(layout, &artificial_stress(&stress, self.epsilon), layout.artificial(), record);
         }
         stress
     }
@@ -177,6 +182,13 @@ fn write_tensor(dimension: usize, s: &Sym, words: &mut [f64]) {
     } else {
         words[..6].copy_from_slice(&[s.xx, s.yy, s.zz, s.xy, s.xz, s.yz]);
     }
+}
+
+/// The same in numbers of 32 bits, the first of them number `to`.
+fn write_halves(layout: &Layout, s: &Sym, to: usize, record: &mut [f64]) {
+    let mut words = [0.0; 6];
+    write_tensor(layout.dimension, s, &mut words);
+    (0..layout.tensor_words()).for_each(|k| set_half(record, to + k, words[k]));
 }
 
 /// Stress of a record as a tensor; in 2D the out-of-plane components, which do no work, are left zero.

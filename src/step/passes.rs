@@ -1,6 +1,7 @@
 //! Operations on one chunk between two reductions: moving it to a stage, evaluating it, accepting or refusing its step.
 
-use super::derivatives::{Derivatives, local};
+use super::derivatives::{Derivatives, is_corrected, local};
+use super::packing::is_due;
 use super::settings::{Moment, StepSettings};
 use super::workspace::{VelocityRange, Workspace};
 use crate::material::{Late, Local, MaterialEffect};
@@ -63,6 +64,13 @@ impl Passes<'_> {
     pub fn evaluate(&self, chunk: &Chunk, rows: &Rows, moment: &Moment, workspace: &mut Workspace) {
         self.fill_bodies(chunk, workspace);
         let Self { settings, registry, rigid } = *self;
+        if let Some(relaxation) = settings.relaxation.filter(|_| moment.stage == 0 && is_due(moment.step)) {
+            let (layout, view) = (settings.pair_loop.layout(), &settings.view);
+            match registry.dimension {
+                2 => relaxation.measure::<2>(chunk, rows, layout, view),
+                _ => relaxation.measure::<3>(chunk, rows, layout, view),
+            }
+        }
         let derivatives = Derivatives { settings, registry, chunk, moment, rigid };
         if !derivatives.evaluate(rows, workspace) {
             return;
@@ -70,6 +78,23 @@ impl Passes<'_> {
         if let Some(moments) = self.settings.packer.moments.filter(|_| moment.stage == 0) {
             for (k, sums) in workspace.sums[..chunk.len()].iter().enumerate() {
                 moments.keep(chunk, k, self.registry.dimension, &sums.moment, moment.since);
+            }
+        }
+        if let Some(slopes) = self.settings.packer.slopes.filter(|_| moment.stage == 0) {
+            let (view, layout) = (&self.settings.view, self.settings.pair_loop.layout());
+            for (k, sums) in workspace.sums[..chunk.len()].iter().enumerate() {
+                let known = is_corrected(layout, sums) && !view.is_rigid(workspace.bodies[k] as usize);
+                slopes.keep(chunk, k, view, known.then_some(&workspace.flow[k].velocity_gradient));
+            }
+        }
+        if let Some(divergence) = self.settings.divergence.filter(|_| moment.stage == 0) {
+            let column = chunk.view(divergence);
+            for (k, flow) in workspace.flow[..chunk.len()].iter().enumerate() {
+                let now = flow.velocity_gradient.trace();
+                if let Some(switch) = &self.settings.switch {
+                    switch.keep(chunk, k, &self.settings.view, now - column.get(k), moment.since);
+                }
+                column.set(k, now);
             }
         }
         let error = self.settings.integrator.take(chunk, &workspace.rates, moment.stage, moment.dt);

@@ -4,13 +4,15 @@ use serde::{Deserialize, Serialize};
 
 use super::integrator::Integrator;
 use super::pack::Packer;
+use super::packing::DensityRelaxation;
 use super::rates::RateSettings;
+use super::switch::ViscositySwitch;
 use crate::gravity::{Attraction, Timing};
 use crate::material::{MaterialEffect, ParticleView};
 use crate::motion::Motions;
 use crate::motion::rigid::{RigidBody, RigidMatter};
 use crate::pair::PairLoop;
-use crate::particles::Periods;
+use crate::particles::{Column, Periods};
 
 /// All settings of a step by the scene.
 pub struct StepSettings {
@@ -26,6 +28,12 @@ pub struct StepSettings {
     pub gravity: Option<Attraction>,
     /// Where some bodies take smaller steps than the rest.
     pub two_rates: Option<RateSettings>,
+    /// The divergence of velocity at the last evaluation, where viscosity depends on it.
+    pub divergence: Option<Column<f64>>,
+    /// Where a switch decides each particle's share of viscosity.
+    pub switch: Option<ViscositySwitch>,
+    /// Where density returns to mass over volume.
+    pub relaxation: Option<DensityRelaxation>,
     pub periods: Periods,
     /// Courant number.
     pub cfl: f64,
@@ -73,6 +81,8 @@ pub struct Moment {
     pub since: f64,
     /// Seconds since the particles' own gravity was evaluated.
     pub gravity_age: f64,
+    /// Number of the step, from 1 on; 0 before the first.
+    pub step: u64,
     /// Number of the stage.
     pub stage: usize,
     /// Whether it is the last stage of its step.

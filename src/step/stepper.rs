@@ -159,7 +159,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         for stage in which {
             let (share, last) = (stages[stage], stage + 1 == stages.len());
             let (time, since) = (self.state.time + share * dt, self.since(stage, dt));
-            let moment = Moment { time, dt, since, gravity_age: 0.0, stage, last };
+            let moment = Moment { time, dt, since, gravity_age: 0.0, step: self.coming(), stage, last };
             self.move_to(&moment, share)?;
             reduced = Some(self.evaluate(&moment, signal)?);
         }
@@ -219,7 +219,8 @@ impl<'c, const D: usize> Stepper<'c, D> {
     /// Evaluates particles where they are, for the next step. Collective.
     pub(super) fn evaluate_anew(&mut self) -> Result<(), Failure> {
         let time = self.state.time;
-        let moment = Moment { time, dt: 0.0, since: 0.0, gravity_age: 0.0, stage: 0, last: true };
+        let moment =
+            Moment { time, dt: 0.0, since: 0.0, gravity_age: 0.0, step: self.state.step, stage: 0, last: true };
         // What fails here belongs to the step before: a run that goes back must not come here again.
         let of_last_step = |failure: Failure, step: u64| Failure { step, ..failure };
         let step = self.state.step;

@@ -40,8 +40,12 @@ pub enum Solution {
     Impact,
     /// Two bodies have met in a plane across x, and the shock has left through the target's free surface.
     Release,
-    /// A body with `flow.wave`.
+    /// A body with `flow.wave`; in a fluid that moves across, what is left of it.
     StandingWave,
+    /// A body with `flow.vortex`.
+    Vortex,
+    /// A body with `flow.streams`: growth of the wave on their layer, as of an incompressible fluid.
+    ShearLayer,
     /// A body with `flow.mode`.
     Vibration,
     /// A body with a `spin`.

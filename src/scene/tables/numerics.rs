@@ -53,6 +53,14 @@ pub struct NumericsTable {
     /// Against single particles of a stiff body that oscillate across its surface until they shoot into soft matter (cannonballs): what is
     /// in touch with matter of a larger `alpha` of viscosity takes that alpha; a pair has the mean of both.
     contact_viscosity: bool,
+    /// Viscosity that smooth flow does not feel: it acts on what is left of a pair's approach once both velocities are carried to the
+    /// middle between them along their gradients; needs the corrected gradient.
+    reconstruction: bool,
+    /// Viscosity that falls where nothing is shocked: each particle has all of `alpha` where compression steepens, and afterwards less and
+    /// less of it.
+    viscosity_switch: Switch<ViscositySwitchTable>,
+    /// Density that stays mass over volume: what continuity has let drift away from it returns, inside matter.
+    density_relaxation: Switch<DensityRelaxationTable>,
     /// Against clumping in tension.
     artificial_stress: Switch<ArtificialStressTable>,
     /// Whether the smoothing length h stays as it is at the start.
@@ -66,6 +74,8 @@ const CFL: Range = [1e-3, 1.0];
 const LONG_CFL: Range = [1e-3, 2.0];
 const SKIN: Range = [0.0, 1.0];
 const FACTOR: Range = [0.0, 1.0];
+const FLOOR: Range = [0.0, 1.0];
+const BEYOND: Range = [0.0, 1.0];
 const SMALLEST: Range = [0.01, 1.0];
 const LARGEST: Range = [1.0, 100.0];
 
@@ -82,6 +92,9 @@ impl Default for NumericsTable {
             angular_momentum: None,
             density_contrast: None,
             contact_viscosity: false,
+            reconstruction: false,
+            viscosity_switch: Switch::off(),
+            density_relaxation: Switch::off(),
             artificial_stress: Switch::off(),
             smoothing_length: SmoothingLengthValue::default(),
             integrator: IntegratorTable::default(),
@@ -118,6 +131,37 @@ fn eta_of(neighbours: f64, dimension: usize) -> f64 {
 fn number_of_neighbours(dimension: usize) -> RangeInclusive<f64> {
     let [low, high] = ETA;
     neighbours(low.next_up(), dimension).ceil()..=neighbours(high.next_down(), dimension).floor()
+}
+
+/// Viscosity that falls where nothing is shocked.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct ViscositySwitchTable {
+    /// Least share of alpha.
+    #[schemars(range(min = FLOOR[0], max = FLOOR[1]))]
+    floor: Number,
+}
+
+impl Default for ViscositySwitchTable {
+    fn default() -> Self {
+        Self { floor: Number::new(0.1) }
+    }
+}
+
+/// Density that returns to mass over volume.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct DensityRelaxationTable {
+    /// By how much both may differ: sums over disordered particles are off by some per cent themselves, which a solid would feel as
+    /// pressure.
+    #[schemars(range(min = BEYOND[0], max = BEYOND[1]))]
+    beyond: Number,
+}
+
+impl Default for DensityRelaxationTable {
+    fn default() -> Self {
+        Self { beyond: Number::new(0.05) }
+    }
 }
 
 /// A repulsion against clumping in tension.
@@ -234,6 +278,12 @@ pub struct NumericsSettings {
     pub density_contrast: bool,
     /// Whether what touches matter of a larger alpha has that alpha in all of its pairs.
     pub contact_viscosity: bool,
+    /// Whether viscosity acts on reconstructed velocities.
+    pub reconstruction: bool,
+    /// Least share of alpha, where a switch decides it.
+    pub viscosity_switch: Option<f64>,
+    /// By how much density may differ from mass over volume, where it returns.
+    pub density_relaxation: Option<f64>,
     pub artificial_stress: Option<ArtificialStress>,
     pub smoothing_length: SmoothingLengthRule,
     pub integrator: IntegratorRule,
@@ -297,6 +347,14 @@ impl NumericsTable {
         let eta = self.valid_eta(document, dimension)?;
         let within =
             |key: &str, value: Number, range: Range| within(document, &format!("numerics.{key}"), value, range);
+        let viscosity_switch = match self.viscosity_switch.0.filter(|_| self.viscosity) {
+            None => None,
+            Some(raw) => Some(within("viscosity_switch.floor", raw.floor, FLOOR)?),
+        };
+        let density_relaxation = match self.density_relaxation.0 {
+            None => None,
+            Some(raw) => Some(within("density_relaxation.beyond", raw.beyond, BEYOND)?),
+        };
         let artificial_stress = match self.artificial_stress.0 {
             None => None,
             Some(raw) => Some(ArtificialStress { factor: within("artificial_stress.factor", raw.factor, FACTOR)? }),
@@ -314,7 +372,11 @@ impl NumericsTable {
         let [corrected_gradient, angular_momentum, density_contrast] =
             [self.corrected_gradient, self.angular_momentum, self.density_contrast].map(|on| on == Some(true));
         if !corrected_gradient {
-            for (key, on) in [("angular_momentum", angular_momentum), ("density_contrast", density_contrast)] {
+            for (key, on) in [
+                ("angular_momentum", angular_momentum),
+                ("density_contrast", density_contrast),
+                ("reconstruction", self.reconstruction),
+            ] {
                 if on {
                     let what = "it needs what the corrected gradient knows of a neighbourhood";
                     let error = document.error(&format!("numerics.{key}"), what);
@@ -335,6 +397,9 @@ impl NumericsTable {
             angular_momentum,
             density_contrast,
             contact_viscosity: self.contact_viscosity && self.viscosity,
+            reconstruction: self.reconstruction && self.viscosity,
+            viscosity_switch,
+            density_relaxation,
             artificial_stress,
             smoothing_length,
             integrator,
@@ -383,7 +448,7 @@ mod tests {
 
     #[test]
     fn what_needs_the_corrected_gradient_says_so() {
-        for key in ["density_contrast", "angular_momentum"] {
+        for key in ["density_contrast", "angular_momentum", "reconstruction"] {
             let on = format!("numerics.{key}=true");
             assert!(eta(&[&on, "numerics.corrected_gradient=true", "numerics.artificial_stress=true"]).is_ok());
             for wrong in [&[&on[..]][..], &[&on, "material.basalt.strength=true", "numerics.corrected_gradient=false"]]

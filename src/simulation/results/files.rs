@@ -45,7 +45,7 @@ impl<const D: usize> Run<'_, D> {
     }
 
     pub(in crate::simulation) fn evaluate_outcome(&mut self) -> Evaluation {
-        self.note_packing();
+        self.check_density();
         let start = Instant::now();
         self.stepper.release_buffers();
         resources::give_memory_back();
@@ -62,10 +62,10 @@ impl<const D: usize> Run<'_, D> {
     }
 
     /// Checks whether density is mass over volume, unless no particle has moved since the last check. Collective.
-    pub(in crate::simulation) fn note_packing(&mut self) {
-        let now = self.stepper.packing();
-        if now.iter().any(|body| body.judged() > 0) {
-            self.packing = now;
+    pub(in crate::simulation) fn check_density(&mut self) {
+        let now = self.stepper.check_density();
+        if now.is_known() {
+            self.density = now;
         }
     }
 

@@ -105,7 +105,7 @@ impl<const D: usize> Run<'_, D> {
         if again.is_none() && self.stepper.state.step % self.scene.output.history_every != 0 {
             self.note_totals()?;
         }
-        self.note_packing();
+        self.check_density();
         let settled_now = self.state.outcome_time == self.stepper.state.time;
         let at_end = again.as_ref().map_or(!self.state.has_outcome(), |end| end.has_outcome);
         let mut later = None;
@@ -184,7 +184,7 @@ impl<const D: usize> Run<'_, D> {
             state: &self.state,
             totals: &self.totals,
             later: self.state.end.as_ref().and_then(|end| end.later.as_ref()),
-            packing: &self.packing,
+            density: &self.density,
             spent: self.spent(),
             errors,
             nbody,

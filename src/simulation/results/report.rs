@@ -13,7 +13,7 @@ use crate::output::figures::raster::Plane;
 use crate::output::summary::{Accuracy, Figures, Fragments};
 use crate::scene::Scene;
 use crate::simulation::state::{RunState, Spent};
-use crate::step::packing::Packing;
+use crate::step::packing::DensityCheck;
 use crate::step::time_step::NamedLimit;
 use crate::step::{StepState, Stepper, Totals};
 
@@ -148,8 +148,8 @@ pub struct Report<'a, 'c, const D: usize> {
     pub state: &'a RunState,
     pub totals: &'a Totals,
     pub later: Option<&'a Outcome>,
-    /// Packing of each body at the last check.
-    pub packing: &'a [Packing],
+    /// Density against mass over volume at the last check.
+    pub density: &'a DensityCheck,
     pub spent: Spent,
     /// Errors against the exact solution that the scene names.
     pub errors: Figures,

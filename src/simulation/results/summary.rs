@@ -61,6 +61,7 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
             true => conservation.angular_momentum,
             false => f64::NAN,
         },
+        density_drift: report.density.drift,
         phases: phase_shares(stepper, comm),
         effects: effect_shares(stepper, comm),
         ghost_fraction: ghosts / particles,
@@ -192,12 +193,15 @@ pub fn print(summary: &Summary, crater: Option<&Crater>, printed: usize, directo
         drift if drift.is_finite() => format!("energy {drift:.1e}, "),
         _ => String::new(), // cold matter does not account for it
     };
+    let density = match summary.density_drift {
+        drift if drift.is_finite() => format!("; density within {:.1} % of mass over volume", 100.0 * drift),
+        _ => String::new(), // no particle is surrounded
+    };
     tracing::info!(
-        "{} steps to t = {:.4e} s; drift of {energy}momentum {:.1e}{}",
+        "{} steps to t = {:.4e} s; drift of {energy}momentum {:.1e}{turning}{density}",
         summary.steps,
         summary.time,
-        summary.momentum_drift,
-        turning
+        summary.momentum_drift
     );
     tracing::info!(
         "{:.1} s wall, {:.1} core-seconds ({:.1} s of MPI waits apart), {:.2e} updates per core-second, {:.0} bytes per particle",

@@ -41,7 +41,7 @@ pub fn of_run<const D: usize>(report: &Report<D>, summary: &Summary) -> Vec<Warn
         energy(summary),
         below_zero(report.totals.internal, scale),
         angular_momentum(summary, report.state.conservation.turn / circling(report.scene, report.totals.mass, scale)),
-        density(report.scene, report.packing),
+        density(report.scene, &report.density.bodies),
         report.state.intrusion.as_ref().and_then(|fall| intrusion::warning(fall, report.scene)),
         report.state.bounce.as_ref().and_then(|bounce| restitution::warning(bounce, report.scene)),
         outcome.and_then(|outcome| few_particles(outcome, D)),

@@ -102,7 +102,8 @@ impl<const D: usize> Stepper<'_, D> {
             let length = steps.length;
             let elapsed = steps.advance();
             let (time, since) = (self.state.time + elapsed, length);
-            let moment = Moment { time, dt: length, since, gravity_age: 0.0, stage: 0, last: true };
+            let moment =
+                Moment { time, dt: length, since, gravity_age: 0.0, step: self.coming(), stage: 0, last: true };
             self.predict_small(rates, &moment, elapsed)?;
             self.exchange_small(rates, &moment, elapsed);
             let limit = self.evaluate_small(rates, &moment)?;

@@ -5,8 +5,8 @@ use super::filling::Filling;
 use super::flow::Flow;
 use super::rigid::Rigid;
 use super::rigid_rules;
-use super::table::{BodyTable, DAMAGE, Spacing};
-use super::validated::Body;
+use super::table::{BodyTable, DAMAGE, SHIFT, Spacing};
+use super::validated::{Body, Disorder};
 use crate::error::{Error, Result};
 use crate::material::MaterialTable;
 use crate::material::eos::EosTable;
@@ -18,7 +18,7 @@ use crate::scene::geometry::lattice::{Faces, IDENTITY, Lattice, Rotation, random
 use crate::scene::geometry::periods::fills;
 use crate::scene::geometry::rubble::Rubble;
 use crate::scene::geometry::shape::BodyShape;
-use crate::scene::values::checks::POSITIVE;
+use crate::scene::values::checks::{POSITIVE, within};
 use crate::scene::values::components::Components;
 use crate::units::{Angle, Length, Quantity};
 
@@ -61,7 +61,8 @@ impl BodyReader<'_> {
             distention,
             motion: PrescribedMotion::Free,
             rigid: self.rigid(raw, material.1)?,
-            flow: self.flow(raw)?,
+            disorder: self.disorder(raw)?,
+            flow: self.flow(raw, material.1)?,
             blast: self.blast(raw)?,
             rubble,
             joints: self.joints(raw, &shape, material.1)?,
@@ -131,9 +132,21 @@ impl BodyReader<'_> {
         raw.rigid().map(|rigid| rigid_rules::validate(&rigid, self.document, &self.path, raw, material)).transpose()
     }
 
-    fn flow(&self, raw: &BodyTable) -> Result<Option<Flow>> {
+    fn flow(&self, raw: &BodyTable, material: &MaterialTable) -> Result<Option<Flow>> {
         let path = format!("{}.flow", self.path);
-        raw.flow.as_ref().map(|flow| flow.validate(self.document, &path, self.dimension)).transpose()
+        let Some(flow) = &raw.flow else { return Ok(None) };
+        let flow = flow.validate(self.document, &path, self.dimension)?;
+        if matches!(flow, Flow::Vortex { .. }) && !matches!(material.eos, EosTable::IdealGas(_)) {
+            let what = "the pressure of a vortex is that of an ideal gas";
+            return Err(self.error("flow.vortex", what).allowed("a material with eos.ideal_gas"));
+        }
+        Ok(Some(flow))
+    }
+
+    fn disorder(&self, raw: &BodyTable) -> Result<Option<Disorder>> {
+        let Some(table) = &raw.disorder else { return Ok(None) };
+        let path = format!("{}.disorder.shift", self.path);
+        Ok(Some(Disorder { shift: within(self.document, &path, table.shift, SHIFT)?, seed: table.seed }))
     }
 
     fn blast(&self, raw: &BodyTable) -> Result<Option<Blast>> {

@@ -44,6 +44,8 @@ pub struct BodyTable {
     /// Arrangement of the particles.
     #[serde(default)]
     pub lattice: LatticeKind,
+    /// Random shifts of particles from the sites of the lattice; none without it.
+    pub disorder: Option<DisorderTable>,
     /// How the lattice is turned; upright without it.
     pub orientation: Option<OrientationTable>,
     /// Where the centre is, one component per dimension; the origin without it. `[impact]` places the projectile.
@@ -104,6 +106,21 @@ pub enum InitialState {
     /// `gravity.self`, or a box that fills its periods under `gravity.uniform`, whose lower face stays where it is.
     Hydrostatic,
 }
+
+/// Random shifts of particles from the sites of their lattice.
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DisorderTable {
+    /// Largest shift along each axis, in spacings.
+    #[schemars(range(min = SHIFT[0], max = SHIFT[1]))]
+    pub shift: Number,
+    /// Another seed gives other shifts.
+    #[serde(default)]
+    pub seed: u64,
+}
+
+/// In spacings.
+pub const SHIFT: Range = [0.0, 0.5];
 
 /// How a lattice is turned: at random by a `seed`, or about an axis by an angle (in 2D an angle alone).
 #[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]

@@ -11,6 +11,7 @@ use super::rigid::Rigid;
 use super::table::InitialState;
 use crate::material::BodyConstants;
 use crate::motion::PrescribedMotion;
+use crate::random::uniform;
 use crate::scene::geometry::cut::Cut;
 use crate::scene::geometry::joints::Joints;
 use crate::scene::geometry::lattice::Lattice;
@@ -26,6 +27,8 @@ pub struct Body {
     /// Index into the scene's materials.
     pub material: usize,
     pub lattice: Lattice,
+    /// Random shifts of particles from its sites.
+    pub disorder: Option<Disorder>,
     /// Where the shape's centre is, m.
     pub centre: [f64; 3],
     /// Velocity of the centre, m/s.
@@ -49,6 +52,22 @@ pub struct Body {
     pub start: InitialState,
     /// What of the shape it is, where an impact refines its target.
     pub cut: Option<Cut>,
+}
+
+/// Random shifts of particles from the sites of their lattice.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Disorder {
+    /// Largest along each axis, in spacings.
+    pub shift: f64,
+    pub seed: u64,
+}
+
+impl Disorder {
+    /// That of a site, m.
+    fn of(&self, site: u64, spacing: f64, dimension: usize) -> [f64; 3] {
+        let draw = |axis: usize| (2.0 * uniform(self.seed, site, axis as u64) - 1.0) * self.shift * spacing;
+        std::array::from_fn(|axis| if axis < dimension { draw(axis) } else { 0.0 })
+    }
 }
 
 impl Body {
@@ -90,6 +109,11 @@ impl Body {
         std::array::from_fn(|k| self.velocity[k] + turning[k] + flow[k])
     }
 
+    /// Pressure of its flow at `point` beside its own, over density, m^2/s^2.
+    pub fn flow_pressure(&self, point: [f64; 3]) -> f64 {
+        self.flow.map_or(0.0, |flow| flow.pressure(std::array::from_fn(|k| point[k] - self.centre[k])))
+    }
+
     /// Damage at the start of a particle at `point`: whole where a joint or the surface of a block is less than a spacing away.
     pub fn damage_at(&self, point: [f64; 3]) -> f64 {
         let local = std::array::from_fn(|k| point[k] - self.centre[k]);
@@ -112,7 +136,9 @@ impl Body {
     pub fn sites(&self, range: Range<u64>) -> impl Iterator<Item = (u64, [f64; 3])> + '_ {
         range.filter_map(|site| {
             let local = self.lattice.position(site);
-            self.holds(local).then(|| (site, std::array::from_fn(|k| self.centre[k] + local[k])))
+            let shift =
+                self.disorder.map_or([0.0; 3], |disorder| disorder.of(site, self.lattice.spacing, self.dimension));
+            self.holds(local).then(|| (site, std::array::from_fn(|k| self.centre[k] + (local[k] + shift[k]))))
         })
     }
 
@@ -148,4 +174,39 @@ impl Body {
 /// The d-th root.
 fn root(volume: f64, dimension: usize) -> f64 {
     if dimension == 2 { volume.sqrt() } else { libm::cbrt(volume) }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::Scene;
+
+    const BALL: &str = "[[body]]\nname = \"ball\"\nshape = { sphere = { radius = 1 } }\nmaterial = \"basalt\"\nspacing = 0.2\n[run]\nuntil = 1\n";
+
+    fn places(changes: &[&str]) -> Vec<(u64, [f64; 3])> {
+        let changes: Vec<String> = changes.iter().map(|change| change.to_string()).collect();
+        let scene = Scene::parse("s.toml", BALL, &changes).unwrap_or_else(|e| panic!("{e}"));
+        let body = &scene.bodies[0];
+        body.sites(0..body.lattice_sites()).collect()
+    }
+
+    #[test]
+    fn disorder_shifts_particles_at_random() {
+        let (even, uneven) = (places(&[]), places(&["ball.disorder.shift=0.3"]));
+        let (mut most, mut sum) = (0.0f64, 0.0);
+        for ((site, x), (other, y)) in even.iter().zip(&uneven) {
+            assert_eq!(site, other);
+            for k in 0..3 {
+                most = most.max((y[k] - x[k]).abs());
+                sum += y[k] - x[k];
+            }
+        }
+        assert!((0.05..=0.06).contains(&most) && sum.abs() / (3.0 * even.len() as f64) < 0.003, "{most} {sum}");
+        assert_eq!((even.len(), &uneven), (uneven.len(), &places(&["ball.disorder={ shift = 0.3, seed = 0 }"])));
+        assert_ne!(uneven, places(&["ball.disorder={ shift = 0.3, seed = 1 }"]));
+        let wrong = Scene::parse("s.toml", BALL, &["ball.disorder.shift=0.6".to_string()]).expect_err("too far");
+        assert!(
+            wrong.to_string().contains("body.0.disorder.shift") || wrong.to_string().contains("disorder.shift=0.6"),
+            "{wrong}"
+        );
+    }
 }
