@@ -148,4 +148,8 @@ LAYER_TEXT = """## A wave on a shear layer
 `inputs/exact/shear_layer.toml`: error of the growth rate (Rayleigh 1880), of a layer that is 5 spacings thick, and 10."""
 SHOCK_TEXT = """## Shocks
 
-Scenes of `inputs/exact/` as they are there, coarse; Noh's also finer and with half of the viscosity, where density by continuity drifts."""
+Scenes of `inputs/exact/` as they are there, coarse; Noh's also finer and with half of the viscosity, where density by continuity drifts.
+
+Gas gains: with all three the errors of Noh's and Sedov's problems are those of plain viscosity or smaller, down to a quarter where density drifts. In solids
+densities and speeds of fronts of flyers gain, while profiles lose a tenth to a third, as shorter fronts ring, and a weak plastic wave
+loses throughout. Reconstruction alone lets density drift farther behind strong shocks, and wants density that returns beside it."""
