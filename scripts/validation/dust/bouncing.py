@@ -94,5 +94,5 @@ TEXT = """## Bouncing
 
 `inputs/dust_bouncing.toml`: an aggregate of 1 mm at 0.2 m/s on a rigid plate, l_c = 25 um. Experiments: 0.2, 95 % of the energy lost. From
 10 kPa on, and at 12.5 um, the Courant number is 0.5."""
-CHOICE_TEXT = """What else could account for the difference to the paper, at 50 um. Only the exponent by which dust stiffens as it is compacted moves
-the coefficient towards the paper's; a plate that holds dust back takes all of it."""
+CHOICE_TEXT = """What else could account for the difference to the paper, at 50 um. Without viscosity and by the second variant the coefficient is a little
+nearer to the paper's; the exponent by which dust stiffens as it is compacted moves it all the way. A plate that holds dust back takes all of it."""
