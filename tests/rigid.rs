@@ -375,7 +375,7 @@ fn scenes_without_rigid_bodies_have_nothing_of_it() {
     let [without, off, with] =
         ["density = 1500", "density = 1500\nrigid = false", "density = 1500\nrigid = true"].map(plan);
     let bytes = |plan: &setup::Plan| plan.registry.bytes_per_particle();
-    assert_eq!([bytes(&off), bytes(&with)], [bytes(&without), bytes(&without) + 24]);
+    assert_eq!([bytes(&off), bytes(&with)], [bytes(&without), bytes(&without) + 48]);
     for plan in [&without, &off] {
         assert!(
             plan.registry.find::<Vec3>("rigid_place").is_none() && plan.rigid.is_none() && plan.view.rigid.is_empty()

@@ -17,9 +17,8 @@
 //! by [`RIGID`], drops out, so that p = rho (alpha c |mu| + 2 beta mu^2) with the other's rho, alpha and c. Between two rigid bodies
 //! the factors cancel in all but beta mu^2, which is left out there.
 //!
-//! A rigid body that does not adhere has [`LOOSE`] times its density. Of a pair whose deformable particle would pull along the line between
-//! them (x . sigma x > 0) there is no force; while they move apart, neither strain nor moment: for the particle the body is
-//! gone, as at a free surface. While they approach the strain counts, so that tension goes before they touch again.
+//! A rigid body that does not adhere has [`LOOSE`] times its density: w = 0 on both sides, and a pressure of the contact alone acts
+//! between them, see `step::contact`.
 
 use super::Pair;
 use crate::math::lanes::Lanes;

@@ -34,6 +34,8 @@ pub struct Sums<L: Lanes, const D: usize> {
     pub gradient: [[L; D]; D],
     pub moment: [L; 6],
     pub dissipation: L,
+    pub fill: L,
+    pub filling: L,
     pub approach: L,
     pub neighbours: u32,
 }
@@ -50,6 +52,8 @@ impl<L: Lanes, const D: usize> Sums<L, D> {
                 gradient: [[zero; D]; D],
                 moment: [zero; 6],
                 dissipation: zero,
+                fill: zero,
+                filling: zero,
                 approach: zero,
                 neighbours: 0,
             }
@@ -115,10 +119,12 @@ pub unsafe fn interact<L: Lanes, F: Form, const D: usize>(
 ) {
     unsafe {
         let mut meeting = meet::<L, F, D>(i, j, sums);
-        let resistance = resist::<L, F, D>(&meeting, fixed, sums);
+        let mut resistance = resist::<L, F, D>(&meeting, fixed, sums);
         find_slope::<L, F, D>(&mut meeting, fixed, resistance.r_inverse);
         if F::TERMS.contrast() {
-            let_go::<L, F, D>(&mut meeting);
+            let [pressure, around] = touch::<L, F, D>(&mut meeting, fixed, sums);
+            resistance.pressure = resistance.pressure.add(pressure);
+            add_moment(&meeting.pair, &contrast::straining(around, &meeting.pair), sums);
         }
         let pair = &meeting.pair;
         let straining = if F::TERMS.contrast() { contrast::straining(meeting.shares[0], pair) } else { pair.gradient };
@@ -130,7 +136,7 @@ pub unsafe fn interact<L: Lanes, F: Form, const D: usize>(
         if F::TERMS.dissipates() {
             sums.dissipation = acting.pressure.mul(pair.v_dot_x).sub(acting.taken).fma(pair.slope, sums.dissipation);
         }
-        if F::TERMS.corrects() {
+        if F::TERMS.corrects() && !F::TERMS.contrast() {
             add_moment(pair, &straining, sums);
         }
     }
@@ -147,51 +153,35 @@ struct Meeting<'a, L: Lanes, const D: usize> {
     r2: L,
     /// Lanes inside the larger support.
     inside: L::Mask,
-    /// Shares of both in a pair of very different density, of the strain and of the stress; zero before [`find_slope`], and without that
-    /// term.
+    /// Shares of both in a pair of very different density; zero before [`find_slope`], and without that term.
     shares: [L; 2],
-    stress_shares: [L; 2],
 }
 
-/// Takes the pull out of pairs of which a rigid body lets go, and the whole pair where it moves apart.
+/// Contact with rigid bodies that do not adhere (`step::contact`): sums how much of their surroundings they fill, takes their pairs out of
+/// strain and stress, and returns the pressure of these pairs, Pa, and the shares of all in the moment.
 ///
 /// # Safety
 /// As for [`Lanes`].
 #[inline(always)]
-unsafe fn let_go<L: Lanes, F: Form, const D: usize>(meeting: &mut Meeting<L, D>) {
+unsafe fn touch<L: Lanes, F: Form, const D: usize>(
+    meeting: &mut Meeting<L, D>,
+    fixed: &Fixed<L>,
+    sums: &mut Sums<L, D>,
+) -> [L; 2] {
     unsafe {
         let layout = F::LAYOUT;
-        let Meeting { i, j, pair, shares, stress_shares, .. } = meeting;
+        let Meeting { i, j, pair, h_inverse: [g_i, g_j], shares, .. } = meeting;
         let (loose, any) = contrast::loose(i.half(layout.density()), j.half(layout.density()));
         if !any {
-            return;
+            return [loose, shares[0]];
         }
-        let pull = match F::TERMS.stress {
-            StressTerm::Tensor { .. } => {
-                let s_i = contrast::share_of(shares[0], i.stress::<F>());
-                let s_j = contrast::share_of(shares[1], j.stress::<F>());
-                let mut traction = [L::splat(0.0); D];
-                PairStress::<L, D>::sum(&s_i, &s_j).add_force(&pair.x, &mut traction);
-                let mut pull = traction[0].mul(pair.x[0]);
-                for a in 1..D {
-                    pull = traction[a].fma(pair.x[a], pull);
-                }
-                pull
-            }
-            StressTerm::Pressure { .. } => {
-                let from = layout.stress();
-                i.at(from).mul(shares[0]).add(j.at(from).mul(shares[1]))
-            }
-        };
-        let (none, one) = (L::splat(0.0), L::splat(1.0));
-        let pulled = loose.keep(none.less(pull));
-        let bears = one.sub(pulled);
-        *stress_shares = [shares[0].mul(bears), shares[1].mul(bears)];
-        let stays = one.sub(pulled.keep(none.less(pair.v_dot_x)));
-        pair.slope = pair.slope.mul(stays);
-        for a in 0..D {
-            pair.gradient[a] = pair.gradient[a].mul(stays);
-        }
+        let values = value::<L, F, D>(pair.r, *g_i).add(value::<L, F, D>(pair.r, *g_j));
+        sums.fill = values.mul(fixed.norm).mul(loose).fma(j.at(layout.volume()), sums.fill);
+        sums.filling = loose.mul(pair.slope).fma(pair.v_dot_x, sums.filling);
+        let others = L::splat(1.0).sub(loose);
+        *shares = [shares[0].mul(others), shares[1].mul(others)];
+        let pressure = i.half(layout.contact()).add(j.half(layout.contact())).mul(loose);
+        [pressure, shares[0].add(loose)]
     }
 }
 
@@ -229,23 +219,14 @@ unsafe fn meet<'a, L: Lanes, F: Form, const D: usize>(
         let inside = r.mul(wide).less(L::splat(SUPPORT));
         sums.neighbours += L::count(inside);
         let pair = Pair { x, v, r, h_inverse, v_dot_x, gradient: x, slope: L::splat(0.0) };
-        Meeting {
-            i,
-            j,
-            pair,
-            h_inverse: [g_i, g_j],
-            r2,
-            inside,
-            shares: [L::splat(0.0); 2],
-            stress_shares: [L::splat(0.0); 2],
-        }
+        Meeting { i, j, pair, h_inverse: [g_i, g_j], r2, inside, shares: [L::splat(0.0); 2] }
     }
 }
 
 /// Viscosity of a pair.
 struct Resistance<L: Lanes> {
     r_inverse: L,
-    /// p_ij, Pa; zero without viscosity.
+    /// p_ij, Pa, of viscosity and of contact.
     pressure: L,
 }
 
@@ -294,7 +275,7 @@ unsafe fn resist<L: Lanes, F: Form, const D: usize>(
 unsafe fn find_slope<L: Lanes, F: Form, const D: usize>(meeting: &mut Meeting<L, D>, fixed: &Fixed<L>, r_inverse: L) {
     unsafe {
         let layout = F::LAYOUT;
-        let Meeting { i, j, pair, h_inverse: [g_i, g_j], shares, stress_shares, .. } = meeting;
+        let Meeting { i, j, pair, h_inverse: [g_i, g_j], shares, .. } = meeting;
         let (g_i, g_j) = (*g_i, *g_j);
         let first = slope::<L, F, D>(pair.r, g_i);
         let like = L::count(g_i.min(g_j).less(g_i.max(g_j))) == 0;
@@ -305,7 +286,6 @@ unsafe fn find_slope<L: Lanes, F: Form, const D: usize>(meeting: &mut Meeting<L,
         }
         if F::TERMS.contrast() {
             *shares = contrast::shares(i.half(layout.density()), j.half(layout.density()));
-            *stress_shares = *shares;
         }
     }
 }
@@ -319,6 +299,18 @@ unsafe fn slope<L: Lanes, F: Form, const D: usize>(r: L, g: L) -> L {
     unsafe {
         let g2 = g.mul(g);
         F::Kernel::slope_lanes(r.mul(g)).mul(if D == 2 { g2.mul(g) } else { g2.mul(g2) })
+    }
+}
+
+/// h^-d times the kernel, from r and 1/h.
+///
+/// # Safety
+/// As for [`Lanes`].
+#[inline(always)]
+unsafe fn value<L: Lanes, F: Form, const D: usize>(r: L, g: L) -> L {
+    unsafe {
+        let g2 = g.mul(g);
+        F::Kernel::value_lanes(r.mul(g)).mul(if D == 2 { g2 } else { g2.mul(g) })
     }
 }
 
@@ -343,7 +335,7 @@ unsafe fn add_tensor<L: Lanes, F: Form, const D: usize>(
 ) -> Acting<L> {
     unsafe {
         let layout = F::LAYOUT;
-        let Meeting { i, j, pair, stress_shares: shares, .. } = meeting;
+        let Meeting { i, j, pair, shares, .. } = meeting;
         let mut acting = Acting { pressure: resistance.pressure, taken: L::splat(0.0) };
         let (mut s_i, mut s_j) = (i.stress::<F>(), j.stress::<F>());
         if F::TERMS.contrast() {
@@ -387,7 +379,7 @@ unsafe fn add_pressure<L: Lanes, F: Form, const D: usize>(
 ) -> Acting<L> {
     unsafe {
         let from = F::LAYOUT.stress();
-        let Meeting { i, j, pair, stress_shares: shares, .. } = meeting;
+        let Meeting { i, j, pair, shares, .. } = meeting;
         let (mut s_i, mut s_j) = (i.at(from), j.at(from));
         if F::TERMS.contrast() {
             (s_i, s_j) = (s_i.mul(shares[0]), s_j.mul(shares[1]));

@@ -96,7 +96,7 @@ impl Terms {
 
     /// Whether a pair heats beyond the work of the stress.
     pub const fn dissipates(&self) -> bool {
-        !matches!(self.viscosity, ViscousTerm::Off) || self.artificial_stress()
+        !matches!(self.viscosity, ViscousTerm::Off) || self.artificial_stress() || self.contrast()
     }
 }
 
@@ -183,9 +183,14 @@ impl Layout {
         }
     }
 
+    /// Pressure by which rigid bodies that do not adhere push, Pa, where densities may differ by orders of magnitude.
+    pub const fn contact(&self) -> usize {
+        self.axial() + self.axial_words()
+    }
+
     /// Numbers of a record; a ghost record sends just these.
     pub const fn words(&self) -> usize {
-        (self.axial() + self.axial_words()).div_ceil(2)
+        (self.contact() + self.terms.contrast() as usize).div_ceil(2)
     }
 
     /// Numbers from one record to the next: whole lines of 64 bytes.

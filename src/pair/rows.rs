@@ -19,6 +19,10 @@ pub struct RowSums {
     pub moment: [f64; 6],
     /// Sum of V_j (p_ij v_ij . gW - f^4 v_ij . R_ij . gW), W/m^3.
     pub dissipation: f64,
+    /// Sum of V_j W over particles of rigid bodies that do not adhere.
+    pub fill: f64,
+    /// Its rate, the sum of V_j v_ij . gW over these, 1/s.
+    pub filling: f64,
     /// Largest |mu| of approach, m/s.
     pub approach: f64,
     /// Neighbours inside the larger support.
@@ -46,7 +50,7 @@ pub struct Constants {
     pub artificial_reference: f64,
 }
 
-/// Sums of a row at most: force, gradient, dissipation and moment, in groups of eight.
+/// Sums of a row at most: force, gradient, dissipation, moment and contact, in groups of eight.
 const MOST_SUMS: usize = 24;
 
 /// Rows from the one at work to the one whose neighbours are fetched: two cells or so.
@@ -124,7 +128,13 @@ unsafe fn fold<L: Lanes, F: Form, const D: usize>(sums: &Sums<L, D>) -> RowSums 
         lanes[..D].copy_from_slice(&sums.force);
         lanes[D..D + D * D].copy_from_slice(sums.gradient.as_flattened());
         lanes[D + D * D + 1..D + D * D + 7].copy_from_slice(&sums.moment);
-        let count = D + D * D + 1 + if F::TERMS.corrects() { F::LAYOUT.tensor_words() } else { 0 };
+        let contact = D + D * D + 7;
+        lanes[contact..contact + 2].copy_from_slice(&[sums.fill, sums.filling]);
+        let count = match (F::TERMS.contrast(), F::TERMS.corrects()) {
+            (true, _) => contact + 2,
+            (false, true) => D + D * D + 1 + F::LAYOUT.tensor_words(),
+            (false, false) => D + D * D + 1,
+        };
         let mut flat = [0.0; MOST_SUMS];
         for group in 0..count.div_ceil(8) {
             let mut v = [sums.dissipation; 8];
@@ -135,7 +145,8 @@ unsafe fn fold<L: Lanes, F: Form, const D: usize>(sums: &Sums<L, D>) -> RowSums 
         out.force[..D].copy_from_slice(&flat[..D]);
         out.gradient[..D * D].copy_from_slice(&flat[D..D + D * D]);
         out.dissipation = flat[D + D * D];
-        out.moment.copy_from_slice(&flat[D + D * D + 1..D + D * D + 7]);
+        out.moment.copy_from_slice(&flat[D + D * D + 1..contact]);
+        [out.fill, out.filling] = [flat[contact], flat[contact + 1]];
         out
     }
 }

@@ -15,13 +15,14 @@ use crate::material::{self, BodyConstants, Core, MaterialEffect, ParticleView, S
 use crate::math::{ExactSum, Vec3};
 use crate::motion::rigid::{MovedColumns, RigidMatter};
 use crate::motion::{Motions, PrescribedMotion};
-use crate::pair::artificial_stress;
 use crate::pair::record::{PressureGradient, StressTerm, TensorGradient, ViscousTerm};
 use crate::pair::rows::Constants;
 use crate::pair::{PairLoop, Terms};
+use crate::pair::{artificial_stress, contrast};
 use crate::particles::{Column, Columns, ParticleId, Registry};
 use crate::scene::{Blast, Body, Flow, InitialState, IntegratorRule, Pressed, Scene, SmoothingLengthRule, Until};
 use crate::step::StepSettings;
+use crate::step::contact::Contact;
 use crate::step::integrator::{CashKarp, Integrator, PredictorCorrector, RungeKutta};
 use crate::step::pack::{Moments, Packer};
 use crate::step::packing::DensityRelaxation;
@@ -151,6 +152,9 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
     }
     if scene.numerics.reconstruction {
         Slopes::declare(&mut registry);
+    }
+    if view.standing.contains(&contrast::LOOSE) {
+        Contact::declare(&mut registry);
     }
     let integrator = integrator(scene, &mut registry, &view)?;
     let two_rates = scene.two_rates.as_ref().map(|rates| RateSettings {

@@ -141,6 +141,8 @@ impl Derivatives<'_> {
         let StepSettings { view, cfl: courant, effects, .. } = self.settings;
         let (chunk, core, dimension) = (self.chunk, &view.core, self.registry.dimension);
         let sound_speed = chunk.view(core.sound_speed);
+        let ids = chunk.view(core.id);
+        let contact = self.settings.packer.contact.as_ref();
         let mut best = damping.map_or((f64::INFINITY, 0, Limit::CFL), |held| (held.dt, held.particle, Limit::MOTION));
         for k in 0..chunk.len() {
             let body = workspace.bodies[k] as usize;
@@ -150,14 +152,17 @@ impl Derivatives<'_> {
             let sums = &workspace.sums[k];
             // A particle without neighbours exchanges no signals, however hot it is.
             let alone = sums.neighbours == 0;
-            let cfl = time_step::cfl(*courant, h, sound_speed.get(k), view.viscosity(chunk, k, body), sums.approach);
+            let swing = contact.map_or(0.0, |contact| if view.is_rigid(body) { 0.0 } else { contact.speed(chunk, k) });
+            let sound = sound_speed.get(k) * swing.max(1.0);
+            let cfl = time_step::cfl(*courant, h, sound, view.viscosity(chunk, k, body), sums.approach);
             let cfl = if alone { f64::INFINITY } else { cfl };
             let acceleration = time_step::acceleration(*courant, h, a2);
-            if cfl < best.0 {
-                best = (cfl, k, Limit::CFL);
-            }
-            if acceleration < best.0 {
-                best = (acceleration, k, Limit::ACCELERATION);
+            for (dt, reason) in [(cfl, Limit::CFL), (acceleration, Limit::ACCELERATION)] {
+                // Of equal ones that of the first particle counts, in whatever order they lie.
+                let earlier = || dt == best.0 && (reason, ids.get(k)) < (best.2, ids.get(best.1));
+                if dt < best.0 || earlier() {
+                    best = (dt, k, reason);
+                }
             }
         }
         let mut reason = Limit::EFFECTS;

@@ -4,6 +4,7 @@
 //! integrator, and ranks reduce what is global ([`reduction`]).
 
 mod buffers;
+pub mod contact;
 pub mod derivatives;
 pub mod diagnostics;
 pub mod failure;

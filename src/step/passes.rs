@@ -87,6 +87,13 @@ impl Passes<'_> {
                 slopes.keep(chunk, k, view, known.then_some(&workspace.flow[k].velocity_gradient));
             }
         }
+        if let Some(contact) = self.settings.packer.contact.as_ref().filter(|_| moment.stage == 0) {
+            for (k, sums) in workspace.sums[..chunk.len()].iter().enumerate() {
+                if !self.settings.view.is_rigid(workspace.bodies[k] as usize) {
+                    contact.keep(chunk, k, sums, moment.step == 0);
+                }
+            }
+        }
         if let Some(divergence) = self.settings.divergence.filter(|_| moment.stage == 0) {
             let column = chunk.view(divergence);
             for (k, flow) in workspace.flow[..chunk.len()].iter().enumerate() {

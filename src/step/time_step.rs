@@ -14,8 +14,7 @@ use crate::particles::ParticleId;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit {
     pub dt: f64,
-    /// 0 CFL, 1 acceleration, 2 damping by prescribed motion, 3 approaching matter, then the material effects in
-    /// their order.
+    /// One of those below, or a material effect's, in their order.
     pub reason: usize,
     pub id: ParticleId,
     pub position: [f64; 3],
@@ -26,9 +25,9 @@ impl Limit {
     pub const ACCELERATION: usize = 1;
     pub const MOTION: usize = 2;
     pub const CLOSING: usize = 3;
-    /// First number of a material effect.
-    /// The error of a step that an integrator tolerates.
+    /// The error of a step that an integrator tolerates; of no particle.
     pub const ERROR: usize = 4;
+    /// First number of a material effect.
     pub const EFFECTS: usize = 5;
 
     pub const NONE: Self = Self { dt: f64::INFINITY, reason: 0, id: ParticleId(u64::MAX), position: [0.0; 3] };

@@ -51,8 +51,15 @@ pub fn run(study: &Study, part: Part, options: &Options, comm: &Comm) -> Result<
         Part::Collect => sweep.check_figure()?,
     }
     sweep.log_here()?;
-    report::print(&sweep.report()?, &options.directory, comm.is_root());
-    Ok(Ended::Finished)
+    let analysis = sweep.report()?;
+    report::print(&analysis, &options.directory, comm.is_root());
+    // A search that finds no bracket has told something.
+    let runs = study.points.iter().all(|point| point.scene.threshold.is_none());
+    match runs && analysis.points.iter().all(|point| !point.failed.is_empty()) {
+        true => Err(Error::new("no point of the study has a result; study.md says why each failed")
+            .at(options.directory.display().to_string())),
+        false => Ok(Ended::Finished),
+    }
 }
 
 /// Makes the run of a point, or its search; `None` where it was interrupted. Collective.

@@ -66,6 +66,12 @@ fn explain(document: &Document, path: &str, message: &str) -> Error {
         }
         return document.error(path, what);
     }
+    if message.starts_with("invalid type: unit variant") {
+        return document.error(path, "wanted one of its words or tables").allowed("as listed in inputs/README.md");
+    }
+    if message.starts_with("wanted exactly 1 element, ") {
+        return document.error(path, "wanted one of several").allowed("one key in this table");
+    }
     // The names of types say nothing to who writes a scene.
     let message = match message.split_once(", expected struct ") {
         Some((what, _)) => format!("{what}, expected a table"),

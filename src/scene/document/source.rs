@@ -102,7 +102,10 @@ impl<'a> Document<'a> {
 
     /// Keys of the shape of the body that an override addresses, which stand directly under its name there.
     pub fn shape_keys(&self, path: &str) -> Vec<&str> {
-        let number = path.strip_prefix("body.").and_then(|rest| rest.split('.').next()?.parse::<usize>().ok());
+        // A key of one of the body's tables is not beside them.
+        let key =
+            path.strip_prefix("body.").and_then(|rest| rest.split_once('.')).filter(|(_, key)| !key.contains('.'));
+        let number = key.and_then(|(number, _)| number.parse::<usize>().ok());
         let Some(number) = number.filter(|_| self.set.iter().any(|(set, _)| set == path)) else { return Vec::new() };
         let shape = self.tree["body"].get(number).and_then(|body| body.get("shape")?.as_table()?.iter().next());
         shape.and_then(|(_, keys)| keys.as_table()).map_or(Vec::new(), |keys| keys.keys().map(String::as_str).collect())

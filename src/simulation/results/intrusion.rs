@@ -203,6 +203,10 @@ pub fn warning(intrusion: &Intrusion, scene: &Scene) -> Option<Warning> {
 pub fn print(intrusion: &Figures) {
     let of = |name: &str| intrusion.0.iter().find(|(n, _)| n == name).map_or(f64::NAN, |(_, value)| *value);
     let millimetres = |name: &str| 1e3 * of(name);
+    if of("stopping_time").is_nan() {
+        tracing::info!("intrusion {:.4} mm; it has not come to rest", millimetres("depth"));
+        return;
+    }
     tracing::info!(
         "intrusion {:.4} mm (peak of the filling factor {:.4} mm, gap {:.4} mm) after {:.4e} s; {:.3} from a sine",
         millimetres("depth"),

@@ -80,6 +80,12 @@ pub fn warning(bounce: &Bounce, scene: &Scene) -> Option<Warning> {
         (_, true) => format!(
             "`{body}` and `{against}` still push or pull each other: the coefficient of restitution is of no bounce"
         ),
+        _ if bounce.coefficient() < 0.0 => {
+            let what = format!(
+                "`{body}` goes on in the direction in which it has approached `{against}`: an oblique hit, or they stick"
+            );
+            return Some(Warning::new("restitution", what));
+        }
         _ => return None,
     };
     Some(Warning::new("restitution", format!("{what} (change: a later run.until)")))

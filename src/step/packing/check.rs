@@ -34,7 +34,7 @@ impl Packing {
     }
 }
 
-/// Density against mass over volume.
+/// Density against mass over volume, of matter that deforms.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DensityCheck {
     /// One for each body; all are zero where no step has been taken since lists were released.
@@ -89,8 +89,11 @@ impl<const D: usize> Stepper<'_, D> {
         if let Some(rows) = self.rows() {
             let neighbours = Neighbours::<D>::new(&rows, self.settings.pair_loop.layout(), self.settings.packer.eta());
             for i in 0..self.columns.len() {
-                let sums = neighbours.sums(i);
                 let body = self.columns.get(self.settings.view.core.id, i).body();
+                if self.settings.view.is_rigid(body) {
+                    continue;
+                }
+                let sums = neighbours.sums(i);
                 let density = self.columns.get(self.settings.view.core.density.value, i);
                 let is_dense = density > COMPRESSED * self.settings.view.constants[body].density;
                 let inside = sums.is_inside();

@@ -187,6 +187,10 @@ impl BodyReader<'_> {
     fn distention(&self, raw: &BodyTable, material: &MaterialTable) -> Result<f64> {
         match raw.distention {
             None => Ok(1.0),
+            Some(_) if material.is_dust() => {
+                let what = format!("`{}` is dust, whose pores are told by its filling factor", raw.material);
+                Err(self.error("distention", what).allowed("filling_factor"))
+            }
             Some(_) if material.porosity.is_none() => {
                 let what = format!("material `{}` has no porosity, so there is no distention", raw.material);
                 let error = self.error("distention", what);

@@ -20,8 +20,8 @@ pub struct RigidTable {
     /// Whether it turns.
     #[schemars(extend("x-default" = "true, but with a `motion` false"))]
     pub rotation: Option<bool>,
-    /// Whether matter that deforms sticks to it: then tension acts across the contact as inside that matter; without, matter parts
-    /// from the body as from a free surface.
+    /// Whether matter that deforms sticks to it: then tension acts across the contact as inside that matter; without, the body pushes
+    /// and does not pull.
     #[serde(default)]
     pub adhesion: bool,
 }

@@ -7,6 +7,9 @@ use crate::material::MaterialTable;
 use crate::scene::document::source::Document;
 use crate::scene::values::checks::POSITIVE;
 
+/// kg/m^3: far from where its contact would be that of another kind (`pair::contrast`).
+const DENSITIES: std::ops::RangeInclusive<f64> = 1e-3..=1e6;
+
 /// The rigid body of the completed table `body`, whose key path is `path`.
 pub fn validate(
     rigid: &RigidTable,
@@ -25,6 +28,12 @@ pub fn validate(
     ];
     if let Some((key, _, what, allowed)) = refused.into_iter().find(|(_, refused, ..)| *refused) {
         return Err(document.error(&format!("{path}.{key}"), what).allowed(allowed));
+    }
+    let key = format!("{path}.density");
+    if let Some(density) = body.density.filter(|density| !DENSITIES.contains(&density.0)) {
+        return Err(document
+            .error(&key, format!("density is {density}"))
+            .allowed("1e-3 to 1e6 kg/m^3 of a rigid body"));
     }
     let key = format!("{path}.rigid.sound_speed");
     let Some(sound_speed) = rigid.sound_speed else {

@@ -72,6 +72,18 @@ impl IntrusionTable {
             let allowed = "uniform gravity along one axis; without it, a velocity of the body along one axis";
             document.error("intrusion.body", what).allowed(allowed)
         })?;
+        let across = |body: &Body, k: usize| {
+            let bounds = body.shape.bounds(body.dimension);
+            [-1.0, 1.0].map(|side| body.centre[k] + bounds.middle[k] + side * bounds.half[k])
+        };
+        let misses = |k: usize| {
+            let ([low, high], [from, to]) = (across(&bodies[body], k), across(&bodies[into], k));
+            low >= to || high <= from
+        };
+        if (0..bodies[body].dimension).filter(|&k| k != axis).any(misses) {
+            let what = format!("`{}` falls beside `{}`", self.body, self.into);
+            return Err(document.error("intrusion.body", what).allowed("a body whose fall leads into the dust"));
+        }
         let sign = 1f64.copysign(along);
         let end = |body: &Body, side: f64| {
             let bounds = body.shape.bounds(body.dimension);
@@ -129,6 +141,10 @@ mod tests {
             ),
             ("gravity.uniform=[0, -1, -9]", "the fall of `bead` has no axis (allowed: uniform gravity along one axis"),
             ("domain.periodic={ x = [-9, 9] }", "depth is measured in open space"),
+            (
+                "bead.position=[4.5, 0, 2.5]",
+                "`bead` falls beside `dust` (allowed: a body whose fall leads into the dust)",
+            ),
             ("intrusion.ends_rnu=true", "did you mean `ends_run`?"),
         ] {
             let text = parse(&[change]).expect_err(change).to_string();
