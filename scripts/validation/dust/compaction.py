@@ -22,14 +22,14 @@ def plane(name, spacing=SWEEP, settings=(), radius=0.55, ratio=5.6, seconds=1.0)
         f'dust.spacing="{spacing} um"', f'bead.spacing="{spacing} um"', f'layer.0.outer="{ratio * spacing:g} um"',
         f'bead.position=[0,"{radius + 1e-3 * spacing:g} mm"]', f"numerics.eta={0.5 * ratio / HEXAGONAL:.3f}", "intrusion.ends_run=true",
     ]
-    guess = 25 * (50 / spacing) ** 3 * seconds
+    guess = 6 * (50 / spacing) ** 3 * seconds
     return Run(f"dust/plane_{name}_{spacing:g}um", PLANE, [*own, *settings], guess=guess)
 
 
 def space(name, spacing, settings=(), seconds=1.0):
     own = [f'dust.spacing="{spacing} um"', f'bead.spacing="{spacing} um"', f'layer.0.outer="{3.75 * spacing:g} um"',
            f'bead.position=[0,0,"{0.55 + 1e-3 * spacing:g} mm"]']
-    return Run(f"dust/space_{name}_{spacing:g}um", SPACE, [*own, *settings], guess=1000 * (50 / spacing) ** 4 * seconds)
+    return Run(f"dust/space_{name}_{spacing:g}um", SPACE, [*own, *settings], guess=700 * (50 / spacing) ** 4 * seconds)
 
 
 FIRST = [f'{SIRONO}.K_0="300 kPa"', f'{SIRONO}.compression.powder.p_m="1.3 kPa"']
@@ -37,8 +37,8 @@ FIRST = [f'{SIRONO}.K_0="300 kPa"', f'{SIRONO}.compression.powder.p_m="1.3 kPa"'
 
 CONVERGENCE = [plane("calibrated", spacing) for spacing in (100, 50, 25, 12.5)]
 CONVERGENCE_FIRST = [plane("table_1", spacing, FIRST, seconds=7) for spacing in (100, 50, 25)]
-IN_SPACE = [space("final", spacing) for spacing in (100, 50)]
-IN_SPACE_FIRST = [space("table_1", 100, FIRST, seconds=10), space("table_1", 50, [*FIRST, "numerics.cfl=0.5"], seconds=5)]
+IN_SPACE = [space("calibrated", spacing) for spacing in (100, 50)]
+IN_SPACE_FIRST = [space("table_1", 100, FIRST, seconds=3), space("table_1", 50, FIRST, seconds=3)]
 
 DOMAINS = {f"bowl of {depth} mm": plane(f"bowl_{depth}", settings=[f'dust.radius="{depth} mm"'], seconds=(depth / 3.3) ** 2) for depth in (1.375, 2.2, 3.3, 5.5)} | {
     f"box of 8 mm, {depth} mm deep": plane(
