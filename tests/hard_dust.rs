@@ -284,8 +284,9 @@ eta = 1.875
 until = 1
 "#;
 
-/// It leaves with the energy that it came with. Were the plate's particles not neighbours in the correction of gradients, it would leave
-/// with half of its speed and four times its energy; were it mirror matter that does not pull, with three quarters and a half.
+/// It leaves with the energy that it came with. From a push that began half a spacing away, and without the plate's particles in the
+/// correction of gradients, it would leave with half of its speed and four times its energy; from mirror matter that does not pull, with
+/// three quarters and a half.
 #[test]
 fn an_elastic_ball_loses_nothing_to_a_rigid_plate() {
     ranks(1, "hard_dust::an_elastic_ball_loses_nothing_to_a_rigid_plate", |comm| {

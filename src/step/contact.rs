@@ -7,9 +7,9 @@
 //! p = 50 rho c^2 s / (1 - s)     with the last 1 - s beyond s = 0.95
 //! ```
 //! p is a pressure of each such pair, V_i V_j p gW its force, V_i V_j p v_ij . gW its power, as of the pressure of viscosity: a potential of
-//! f, which gives back what it takes. The force begins where kernels meet and is stiff: matter comes to rest before their strain, had it
-//! any, would count. The rigid particles count as neighbours in the correction of gradients, so that strain and force of the matter beside
-//! them stay each other's counterpart; a free surface there gains or loses energy in every bounce.
+//! f, which gives back what it takes. The force begins where kernels meet and is stiff, so that it is smooth over the spacings of both
+//! lattices: one that begins half a spacing away gives an elastic bounce more energy than it had. The rigid particles count as neighbours
+//! in the correction of gradients: matter beside them has no free surface there.
 //!
 //! f is that of the last evaluation, carried to the next one by its rate, so that force and place belong together to second order.
 
