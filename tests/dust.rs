@@ -96,6 +96,29 @@ until = "1.5 ms"
 picture = false
 "#;
 
+/// What a scene of dust cannot mean: what is said, and what is allowed instead.
+#[test]
+fn what_makes_no_sense_of_dust_is_refused() {
+    for (setting, what, allowed) in [
+        ("aggregate.distention=2", "`silica_dust` is dust", "filling_factor"),
+        ("aggregate.filling_factor=0", "filling_factor is 0", "above 0, 1 at most"),
+        ("aggregate.filling_factor=1.1", "filling_factor is 1.1", "above 0, 1 at most"),
+        ("plate.filling_factor=0.3", "`glass` is no dust", "a material with eos.sirono"),
+        ("plate.density=2e6", "density is 2000000 kg/m^3", "1e-3 to 1e6 kg/m^3 of a rigid body"),
+        ("material.silica_dust.eos.sirono.gamma=1", "gamma is 1", "numbers above 1"),
+        (
+            "material.silica_dust.eos.sirono.plasticity=3",
+            "one of its words or tables",
+            "those that `sph-mpi --keys material.silica_dust.eos.sirono` lists",
+        ),
+        ("aggregate.shape=sphere", "one of its words or tables", "those that `sph-mpi --keys body` lists"),
+    ] {
+        let scene = include_str!("../inputs/dust_bouncing.toml");
+        let error = Scene::parse("scene.toml", scene, &[setting.into()]).expect_err(setting).to_string();
+        assert!(error.contains(what) && error.contains(&format!("(allowed: {allowed}")), "{error}");
+    }
+}
+
 #[test]
 fn a_bead_in_dust_is_the_same_on_any_ranks() {
     let (dir, _) = crate::sameness::compare_scene("dust", BEAD);

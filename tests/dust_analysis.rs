@@ -170,6 +170,25 @@ fn a_bounce_ends_the_run() {
     assert!(short[1] > 0.02 && (short[1] - whole[1]).abs() < 2e-3, "{whole:?} {short:?}");
 }
 
+/// A grazing hit has no coefficient of restitution that means anything.
+#[test]
+fn a_bounce_that_is_none_is_told() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let sets = [
+        "right.material=glass",
+        "right.rigid=true",
+        "right.position=[\"1.25 mm\", \"0.9 mm\"]",
+        "numerics.contact_viscosity=true",
+        "fragments=false",
+        "restitution.ends_run=true",
+    ];
+    run(1, dir.path(), DISCS, &sets.map(|set| ["--set", set]).concat()).run().expect_code(0);
+    let found = summary(&dir.path().join("run"));
+    assert!(figure(&found, "/restitution/coefficient") < -0.5, "{found:#}");
+    let warning = &found["warnings"][0];
+    assert!(warning["kind"] == "restitution" && warning.to_string().contains("an oblique hit"), "{found:#}");
+}
+
 #[test]
 fn two_aggregates_collide() {
     let dirs = [(); 2].map(|()| tempfile::tempdir().expect("a directory"));

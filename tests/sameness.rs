@@ -95,13 +95,16 @@ fn assert_eventful(name: &str, summary: &Value, ranks: usize) {
     }
 }
 
-/// Equal to the reference by the hash, which covers the state of every particle, and byte for byte in the last checkpoint.
+/// Equal to the reference by the hash, which covers the state of every particle, and byte for byte in the history and the last
+/// checkpoint.
 fn assert_same(name: &str, dir: &Path, found: &Value, (reference_dir, expected): &Reference) {
     for key in ["particles", "steps", "pair_interactions", "state_hash"] {
         assert!(!expected[key].is_null(), "{key} is in summary.json");
         assert_eq!(found[key], expected[key], "{key} of {name}");
     }
     assert_eq!(found["outcome"], expected["outcome"], "outcome of {name}");
+    let history = |dir: &Path| fs::read(dir.join("run/history.csv")).expect("a history");
+    assert!(history(dir) == history(reference_dir), "history.csv of {name}");
     let Some(python) = std::env::var_os("SPH_MPI_PYTHON") else {
         println!("{name}: columns are not compared: SPH_MPI_PYTHON names no Python with h5py");
         return;

@@ -147,6 +147,16 @@ fn a_point_that_fails_is_recorded_and_the_study_goes_on() {
     assert!(table.contains("step 52"), "{table}");
 }
 
+/// All points alike, and the study has ended with nothing.
+#[test]
+fn a_study_without_a_result_fails() {
+    let dir = folder(STUDY);
+    let failed =
+        launch(2, dir.path(), &["study.toml", "--out", "run"]).env("SPH_MPI_FAULT", "nan:0:1").run().expect_code(1);
+    assert!(failed.stderr.contains("no point of the study has a result"), "{}", failed.stderr);
+    assert!(fs::read_to_string(dir.path().join("run/study.md")).expect("a table").contains("step 1"));
+}
+
 #[test]
 fn accuracy_takes_the_cheapest_point_that_has_it() {
     let dir = folder(STUDY);

@@ -227,5 +227,20 @@ fn density_that_is_not_mass_over_volume_is_found() {
         assert_eq!((found.alone, found.off()), (1, 1), "{found:?}");
         hand.stepper.release_buffers();
         assert_eq!(hand.stepper.check_density().bodies[0].judged(), 0);
+        // What does not deform needs no density that is true.
+        let block = "[[body]]\nname = \"block\"\nshape = { box = { size = [2, 2, 1] } }\nmaterial = \"basalt\"\n\
+                     position = [0, 0, -1.6]\nspacing = 0.15\n";
+        let rigid = ball.replace(
+            "[run]",
+            &format!("rigid = {{ sound_speed = 3000 }}\n{block}[numerics]\ncorrected_gradient = true\n[run]"),
+        );
+        let mut hand = ByHand::<3>::new(&rigid, comm, |_| {});
+        for i in hand.particles().filter(|&i| hand.body(i) == 0).collect::<Vec<_>>() {
+            let density: f64 = hand.get("density", i);
+            hand.set("density", i, 3.0 * density);
+        }
+        hand.evaluate();
+        let [ball, block] = hand.stepper.check_density().bodies[..] else { panic!("two bodies") };
+        assert!(ball.judged() == 0 && block.inside > 100 && block.off() == 0, "{ball:?} {block:?}");
     });
 }

@@ -217,17 +217,16 @@ impl<'a, const D: usize> Run<'a, D> {
         let (state, steps) = (&self.state, &self.stepper.state);
         let NamedLimit { limit, reason } = &self.limit;
         let [x, y, z] = limit.position;
+        let particle = match self.scene.bodies.get(limit.id.body()) {
+            Some(body) if limit.is_of_particle() => {
+                format!(" of {} {} at ({x:.3e}, {y:.3e}, {z:.3e}) m", body.name, limit.id.site())
+            }
+            _ => String::new(),
+        };
         let energy = match has_balance(self.scene) {
             true => format!("energy drift {:.1e}, ", state.conservation.energy_drift()),
             false => String::new(), // cold matter does not account for it
         };
-        format!(
-            "t {:.3e} s, step {}, {energy}dt {:.2e} s by {reason} of {} {} at ({x:.3e}, {y:.3e}, {z:.3e}) m",
-            steps.time,
-            steps.step,
-            steps.next,
-            self.scene.bodies.get(limit.id.body()).map_or("", |body| &body.name),
-            limit.id.site(),
-        )
+        format!("t {:.3e} s, step {}, {energy}dt {:.2e} s by {reason}{particle}", steps.time, steps.step, steps.next,)
     }
 }

@@ -32,6 +32,11 @@ impl Limit {
 
     pub const NONE: Self = Self { dt: f64::INFINITY, reason: 0, id: ParticleId(u64::MAX), position: [0.0; 3] };
 
+    /// Whether it is that of the particle `id`.
+    pub fn is_of_particle(&self) -> bool {
+        self.reason != Self::ERROR
+    }
+
     /// The tighter of two; equal ones are ordered by reason and particle, so that the log is the same for any ranks.
     pub fn tighter(self, other: Self) -> Self {
         let key = |l: &Self| (l.dt, l.reason, l.id);

@@ -67,7 +67,7 @@ fn explain(document: &Document, path: &str, message: &str) -> Error {
         return document.error(path, what);
     }
     if message.starts_with("invalid type: unit variant") {
-        return document.error(path, "wanted one of its words or tables").allowed("as listed in inputs/README.md");
+        return document.error(path, "wanted one of its words or tables").allowed(listed(path));
     }
     if message.starts_with("wanted exactly 1 element, ") {
         return document.error(path, "wanted one of several").allowed("one key in this table");
@@ -81,6 +81,14 @@ fn explain(document: &Document, path: &str, message: &str) -> Error {
         Some((what, allowed)) => document.error(path, what).allowed(allowed.strip_suffix(')').unwrap_or(allowed)),
         None => document.error(path, message.as_str()),
     }
+}
+
+/// Where all that a key may be is told.
+fn listed(path: &str) -> String {
+    let steps = path.split('.').filter(|step| step.parse::<usize>().is_err());
+    let steps: Vec<&str> = steps.collect();
+    let table = &steps[..steps.len().saturating_sub(1)];
+    format!("those that `sph-mpi --keys {}` lists", table.join("."))
 }
 
 /// An error that names the nearest of the known words, and all of them.

@@ -37,8 +37,7 @@ pub struct SironoTable {
     /// Bulk modulus at that density.
     #[serde(rename = "K_0")]
     pub modulus: Pressure,
-    /// Power of the density by which the bulk modulus grows.
-    #[schemars(range(min = 1))]
+    /// Power of the density by which the bulk modulus grows, above 1.
     pub gamma: Number,
     /// Compressive strength.
     pub compression: CompressionTable,

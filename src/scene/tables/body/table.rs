@@ -64,8 +64,8 @@ pub struct BodyTable {
     #[schemars(range(min = 1))]
     #[schemars(extend("x-default" = "that of the porosity"))]
     pub distention: Option<Number>,
-    /// Filling factor of dust at the start, the share of its volume that monomers fill; this or `density`.
-    #[schemars(range(min = 0, max = 1))]
+    /// Filling factor of dust at the start, the share of its volume that monomers fill, above 0; this or `density`.
+    #[schemars(range(max = 1))]
     #[schemars(extend("x-default" = "the density over that of the monomers"))]
     pub filling_factor: Option<Number>,
     /// Density at the start. A gas requires it.
