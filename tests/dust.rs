@@ -111,7 +111,7 @@ fn what_makes_no_sense_of_dust_is_refused() {
             "one of its words or tables",
             "those that `sph-mpi --keys material.silica_dust.eos.sirono` lists",
         ),
-        ("aggregate.shape=sphere", "one of its words or tables", "those that `sph-mpi --keys body` lists"),
+        ("aggregate.shape=sphere", "one of its words or tables", "those that `sph-mpi --keys body.shape` lists"),
     ] {
         let scene = include_str!("../inputs/dust_bouncing.toml");
         let error = Scene::parse("scene.toml", scene, &[setting.into()]).expect_err(setting).to_string();
