@@ -3,7 +3,7 @@
 import json
 
 from common import page
-from validation.dust import bouncing, compaction, fragmentation, price, verdicts
+from validation.dust import bouncing, collisions, compaction, fragmentation, price, verdicts
 
 PAGE = "dust.md"
 BY_NAME = True
@@ -12,7 +12,7 @@ FROM_SOME = True
 KEPT = page.FOLDER / "dust.json"
 """Figures of every run that was ever made, so that the page does not need all of them at once."""
 
-SECTIONS = (verdicts, compaction, price, bouncing, fragmentation)
+SECTIONS = (verdicts, compaction, price, bouncing, fragmentation, collisions)
 
 
 def runs():
@@ -20,7 +20,9 @@ def runs():
 
 
 def figures(summary):
-    """What the page needs of a summary."""
+    """What the page needs of a summary, or of a study."""
+    if "points" in summary:
+        return collisions.figures(summary)
     own = {key: summary[key] for key in ("particles", "steps", "core_seconds", "pair_interactions", "time", "momentum_drift")}
     return own | {key: summary[key] for key in ("intrusion", "restitution", "fragments") if key in summary}
 

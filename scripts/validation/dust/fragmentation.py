@@ -16,18 +16,19 @@ def impact(modulus, spacing=8, more=(), name=""):
     own = [f'{SIRONO}.K_0="{modulus} kPa"']
     if spacing != 8:
         own += [f'aggregate.spacing="{spacing} um"', f'plate.spacing="{spacing} um"', f'aggregate.position=[0,0,"{-0.285 - 1e-3 * spacing:g} mm"]']
-    return Run(f"dust/fragments{name}_{modulus}_{spacing:g}um", SCENE, [*own, *more], guess=1500 * (8 / spacing) ** 4 * (modulus / 4.5) ** 0.5)
+    return Run(f"dust/fragments{name}_{modulus}_{spacing:g}um", SCENE, [*own, *more], guess=4500 * (8 / spacing) ** 4 * (modulus / 4.5) ** 0.5)
 
 
 COARSE = 12
 SWEEP = {modulus: impact(modulus, COARSE) for modulus in PAPER}
-FINE = {4: impact(4.5, 8)}
+COARSEST = 16
+SPACINGS = {spacing: impact(4.5, spacing) for spacing in (COARSEST, COARSE, 8)}
 TURNED = {seed: impact(4.5, COARSE, [f"aggregate.orientation={{ seed = {seed} }}"], f"_turned_{seed}") for seed in (1, 2, 3)}
-GAMMA = {gamma: impact(4.5, COARSE, [] if gamma == 4 else [f"{SIRONO}.gamma={gamma}"], "" if gamma == 4 else f"_gamma_{gamma}") for gamma in (2, 3, 4, 5, 6)}
+GAMMA = {gamma: impact(4.5, COARSEST, [] if gamma == 4 else [f"{SIRONO}.gamma={gamma}"], "" if gamma == 4 else f"_gamma_{gamma}") for gamma in (2, 3, 4, 5, 6)}
 
 
 def runs():
-    return list({run.name: run for sweep in (FINE, SWEEP, TURNED, GAMMA) for run in sweep.values()}.values())
+    return list({run.name: run for sweep in (SPACINGS, SWEEP, TURNED, GAMMA) for run in sweep.values()}.values())
 
 
 HEAD = ["slope", "scatter", "largest", "second", "pieces of 10 and more", "particles", "steps", "core-s"]
@@ -44,12 +45,12 @@ def cells(row):
 
 def write(known):
     lines = [[k, *cells(known.get(run.name)), *(f"{x:.3f}" for x in PAPER[k])] for k, run in SWEEP.items()]
-    fine = [[gamma, *cells(known.get(run.name)), *(f"{x:.3f}" for x in PAPER[4.5])] for gamma, run in FINE.items()]
+    spacings = [[key, *cells(known.get(run.name)), *(f"{x:.3f}" for x in PAPER[4.5])] for key, run in SPACINGS.items()]
     head = ["K_0, kPa", *HEAD, "paper: slope", "largest"]
     parts = [
-        TEXT, page.table(["gamma", *head[1:]], fine), f"Over the bulk modulus, at l_c = {COARSE} um:", page.table(head, lines),
+        TEXT, page.table(["l_c, um", *head[1:]], spacings), f"Over the bulk modulus, at l_c = {COARSE} um:", page.table(head, lines),
         "Other orientations of the lattice, K_0 = 4.5 kPa:", page.table(["seed", *HEAD], [[key, *cells(known.get(run.name))] for key, run in TURNED.items()]),
-        f"The exponent gamma, at {COARSE} um:", page.table(["gamma", *HEAD], [[key, *cells(known.get(run.name))] for key, run in GAMMA.items()]),
+        f"The exponent gamma, at {COARSEST} um:", page.table(["gamma", *HEAD], [[key, *cells(known.get(run.name))] for key, run in GAMMA.items()]),
     ]
     draw(known)
     return [*parts, "![Slope over the bulk modulus](dust_fragmentation.png)"], []
@@ -74,4 +75,4 @@ def draw(known):
 TEXT = """## Fragmentation
 
 `inputs/dust_fragmentation.toml`: an aggregate of 0.57 mm, filling factor 0.35, at 8.4 m/s on a rigid plate, after 0.8 ms; pieces are apart where
-particles are farther than 2 h from each other. Experiments: a slope of 0.67, 0.22 of the mass in the largest. At l_c = 8 um, as in the paper:"""
+particles are farther than 2 h from each other. Experiments: a slope of 0.67, 0.22 of the mass in the largest. The paper's l_c is 8 um:"""
