@@ -31,11 +31,12 @@ CHOICES = {
     "a plate to which dust sticks": ["plate.rigid={ adhesion = true }"],
 }
 CHOICE_RUNS = {name: bounce(0.26, 5, 50, more, f"_choice_{number}") for number, (name, more) in enumerate(CHOICES.items())}
+VARIANTS = {"at once": bounce(0.26, 5), "after unloading": bounce(0.26, 5, 25, [f'{SIRONO}.plasticity="after_unloading"'], "_variant_2")}
 PAPER = {(0.26, 5): "0.19", (0.26, 500): "0.09", (1.3, 1): "0.7", (1.3, 20): "0.2", (1.3, 300): "0.13"}
 
 
 def runs():
-    return list({run.name: run for sweep in (SPACINGS, CHOICE_RUNS, GAMMA, SWEEP) for run in sweep.values()}.values())
+    return list({run.name: run for sweep in (SPACINGS, CHOICE_RUNS, VARIANTS, GAMMA, SWEEP) for run in sweep.values()}.values())
 
 
 HEAD = ["restitution", "energy lost", "contact", "particles", "steps", "core-s"]
@@ -58,6 +59,7 @@ def write(known):
         "Over the spacing, p_m = 0.26 kPa, K_0 = 5 kPa:", page.table(["l_c, um", *HEAD], [[key, *cells(known.get(run.name))] for key, run in SPACINGS.items()]),
         GAMMA_TEXT, page.table(["gamma", *HEAD], [[key, *cells(known.get(run.name))] for key, run in GAMMA.items()]),
         CHOICE_TEXT, page.table(["choice", *HEAD], [[key, *cells(known.get(run.name))] for key, run in CHOICE_RUNS.items()]),
+        "Both variants of plasticity at 25 um:", page.table(["plasticity", *HEAD], [[key, *cells(known.get(run.name))] for key, run in VARIANTS.items()]),
     ]
     draw(known)
     return [*parts, "![Restitution over the bulk modulus](dust_bouncing.png)"], []
