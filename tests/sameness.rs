@@ -195,11 +195,7 @@ pub fn compare_scene(name: &str, scene: &'static str) -> Reference {
 }
 
 /// Strong rock that breaks, under artificial stress, in the plane.
-#[test]
-fn impact_in_two_dimensions() {
-    compare_scene(
-        "plane",
-        r#"
+pub const DISCS: &str = r#"
 title = "Two discs"
 dimension = 2
 
@@ -230,8 +226,11 @@ until = "1 s"
 
 [output]
 picture = false
-"#,
-    );
+"#;
+
+#[test]
+fn impact_in_two_dimensions() {
+    compare_scene("plane", DISCS);
 }
 
 /// Broken rock that rubs, hit by intact rock that breaks.
