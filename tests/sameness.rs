@@ -233,7 +233,7 @@ fn impact_in_two_dimensions() {
     compare_scene("plane", DISCS);
 }
 
-/// Broken rock that rubs, hit by intact rock that breaks.
+/// Broken rock with friction, hit by intact rock that breaks.
 #[test]
 fn impact_with_friction() {
     let (_, summary) = compare_scene(

@@ -227,6 +227,6 @@ impl<'a, const D: usize> Run<'a, D> {
             true => format!("energy drift {:.1e}, ", state.conservation.energy_drift()),
             false => String::new(), // cold matter does not account for it
         };
-        format!("t {:.3e} s, step {}, {energy}dt {:.2e} s by {reason}{particle}", steps.time, steps.step, steps.next,)
+        format!("t {:.3e} s, step {}, {energy}dt {:.2e} s by {reason}{particle}", steps.time, steps.step, steps.next)
     }
 }
