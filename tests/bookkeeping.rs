@@ -38,6 +38,7 @@ fn left() -> Evaluation {
         unbound_mass: 0.0,
         strict: Strict { largest_remnant_fraction: 0.0, largest_fragment_fraction: 0.0, fragments: 2 },
         bodies: Vec::new(),
+        trend: None,
     };
     let pieces =
         vec![piece(3, 12, 600.0, 3.0), piece(2, 4, 200.0, -1.2), piece(8, 1, 100.0, 100.0), piece(9, 1, 100.0, 0.0)];

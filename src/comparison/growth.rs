@@ -9,7 +9,7 @@
 use super::solution::Growth;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
-use crate::math::ExactSum;
+use crate::math::{ExactSum, Line};
 use crate::output::summary::Figures;
 use crate::step::Stepper;
 
@@ -40,19 +40,13 @@ pub fn amplitude<const D: usize>(growth: &Growth, stepper: &Stepper<D>, comm: &C
 
 /// The error of the rate.
 pub fn compare(growth: &Growth, samples: &[[f64; 2]]) -> Result<Figures> {
-    let counts: Vec<[f64; 2]> =
-        samples.iter().filter(|[t, a]| *t * growth.rate >= BEGIN && *a > 0.0).copied().collect();
-    if counts.len() < 8 {
+    let counts = samples.iter().filter(|[t, a]| *t * growth.rate >= BEGIN && *a > 0.0);
+    let counts: Vec<(f64, f64)> = counts.map(|&[t, a]| (t, libm::log(a))).collect();
+    let Some(line) = Line::through(&counts).filter(|_| counts.len() >= 8) else {
         let what = format!("{} samples after {:.3e} s show no growth", counts.len(), BEGIN / growth.rate);
         return Err(Error::new(what).allowed("a longer run, or output.history_every small enough for 8 samples"));
-    }
-    let n = counts.len() as f64;
-    let mean_t = counts.iter().map(|[t, _]| t).sum::<f64>() / n;
-    let (mut tt, mut ta) = (0.0, 0.0);
-    for [t, a] in &counts {
-        (tt, ta) = (tt + (t - mean_t) * (t - mean_t), ta + (t - mean_t) * libm::log(*a));
-    }
-    Ok(Figures(vec![("growth".to_string(), ta / tt / growth.rate - 1.0)]))
+    };
+    Ok(Figures(vec![("growth".to_string(), line.slope / growth.rate - 1.0)]))
 }
 
 #[cfg(test)]

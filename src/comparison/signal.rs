@@ -13,7 +13,7 @@ use super::pictures::Pictures;
 use super::solution::Vibration;
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
-use crate::math::{ExactSum, Vec3};
+use crate::math::{ExactSum, Line, Vec3};
 use crate::output::figures::curves::{Axis, Figure, Mark, Series};
 use crate::output::on_root;
 use crate::output::summary::Figures;
@@ -115,18 +115,14 @@ pub fn compare(
 
 /// What is left of a flow that nothing pulls back.
 fn fading(vibration: &Vibration, samples: &[[f64; 2]]) -> Result<Figures> {
-    let counts: Vec<[f64; 2]> = samples.iter().filter(|[_, q]| *q > 0.0).map(|&[t, q]| [t, libm::log(q)]).collect();
-    if counts.len() < 8 {
+    let counts = samples.iter().filter(|[_, q]| *q > 0.0);
+    let counts: Vec<(f64, f64)> = counts.map(|&[t, q]| (t, libm::log(q))).collect();
+    let Some(line) = Line::through(&counts).filter(|_| counts.len() >= 8) else {
         return Err(Error::new(format!("{} samples show no decay", counts.len()))
             .allowed("a shorter run, or output.history_every small enough for 8 samples before the flow ends"));
-    }
-    let mean = [0, 1].map(|k| counts.iter().map(|sample| sample[k]).sum::<f64>() / counts.len() as f64);
-    let (mut tt, mut tq) = (0.0, 0.0);
-    for [t, q] in &counts {
-        (tt, tq) = (tt + (t - mean[0]) * (t - mean[0]), tq + (t - mean[0]) * (q - mean[1]));
-    }
+    };
     let left = samples.last().map_or(f64::NAN, |last| last[1] / vibration.speed);
-    let errors = [("viscosity", -tq / tt / vibration.decay), ("amplitude", left - 1.0)];
+    let errors = [("viscosity", -line.slope / vibration.decay), ("amplitude", left - 1.0)];
     Ok(Figures(errors.map(|(name, value)| (name.to_string(), value)).to_vec()))
 }
 

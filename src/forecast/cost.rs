@@ -10,6 +10,7 @@ use crate::domain::comm::{Comm, Network};
 use crate::error::Result;
 use crate::kernel::SUPPORT;
 use crate::material::BodyConstants;
+use crate::outcome::lasting::Lasting;
 use crate::outcome::settled::Settled;
 use crate::output::text::{aligned, duration, number, size, words};
 use crate::pair::record::ViscousTerm;
@@ -447,15 +448,16 @@ fn end(scene: &Scene) -> (f64, String) {
             let why = "if gravity has done its work as early as it may, a free-fall time after the shock";
             (earliest_settled(scene) + fall, why.to_string())
         }
+        Until::Settled if scene.hits_ground() => {
+            (earliest_settled(scene), "if it settles as early as it may".to_string())
+        }
         Until::Settled => {
             let settled = earliest_settled(scene);
-            (
-                2.0 * settled,
-                format!(
-                    "if it settles as early as it may, at {} s; then it goes on to twice that time",
-                    number(settled)
-                ),
-            )
+            let why = format!(
+                "if it settles as early as it may, at {} s, and the largest remnant lasts from then on",
+                number(settled)
+            );
+            (Lasting::earliest(scales::first_contact(scene), settled), why)
         }
     };
     match scene.run.max_time {
@@ -537,9 +539,9 @@ mod tests {
         let (dt, body) = step(&scene, &plan, 0.0);
         assert!((dt / (0.25 * h / sound) - 1.0).abs() < 1e-6, "{dt}");
         assert_eq!(body, "projectile");
-        // Contact comes within the gap of 2h at 5 km/s; then 2 crossings of 100 km, twice.
+        // Contact comes within the gap of 2h at 5 km/s; then 2 crossings of 100 km and half of that again.
         let crossing = 1e5 / sound;
         let (end, _) = end(&scene);
-        assert!(end > 4.0 * crossing && end < 4.0 * crossing + 2.0 * 4e4 / 5e3, "{end} {crossing}");
+        assert!(end > 3.0 * crossing && end < 3.0 * crossing + 4e4 / 5e3, "{end} {crossing}");
     }
 }

@@ -2,7 +2,7 @@
 //! has. Each is a column in some scenes and a number of the body in others; the caller need not know.
 
 use super::damage::{DAMAGE, damaged_pressure, damaged_stress};
-use super::viscosity::{CONTACT_ALPHA, SWITCH};
+use super::viscosity::{CONTACT_ALPHA, DIVERGENCE, SWITCH, speed_in_pores};
 use super::{BodyConstants, Core, MaterialTable, Setup, porosity, smoothing_length, strength};
 use crate::math::{Deviator, Sym};
 use crate::particles::{Column, Registry, Values};
@@ -22,8 +22,8 @@ pub struct ParticleView {
     damage: Option<Column<f64>>,
     deviatoric_stress: Option<Column<Deviator>>,
     distention: Option<Column<f64>>,
-    /// The speed that viscosity uses in bodies that request it.
-    loading_speed: Option<Column<f64>>,
+    /// The speed of further compression and the divergence of velocity, for viscosity in bodies that request it.
+    loading: Option<[Column<f64>; 2]>,
     /// Where matter takes the alpha of what it touches.
     contact_alpha: Option<Column<f64>>,
     /// Share of alpha, where a switch decides it.
@@ -81,7 +81,7 @@ impl ParticleView {
             damage: registry.find(DAMAGE),
             deviatoric_stress: registry.find(strength::DEVIATORIC_STRESS),
             distention: registry.find(porosity::DISTENTION),
-            loading_speed: registry.find(porosity::LOADING_SPEED),
+            loading: registry.find(porosity::LOADING_SPEED).zip(registry.find(DIVERGENCE)).map(<[_; 2]>::from),
             contact_alpha: registry.find(CONTACT_ALPHA),
             switch: registry.find(SWITCH),
         }
@@ -167,8 +167,10 @@ impl ParticleView {
     /// The speed that viscosity uses, m/s.
     #[inline]
     pub fn viscous_speed(&self, particles: &impl Values, i: usize, body: usize) -> f64 {
-        let loading = self.loading_speed.filter(|_| self.bodies[body].by_loading);
-        particles.value(loading.unwrap_or(self.core.sound_speed), i)
+        let sound = particles.value(self.core.sound_speed, i);
+        let Some([speed, divergence]) = self.loading.filter(|_| self.bodies[body].by_loading) else { return sound };
+        let inward = -self.smoothing_length(particles, i, body) * particles.value(divergence, i);
+        speed_in_pores(particles.value(speed, i), sound, inward)
     }
 
     /// The pressure that acts on neighbours, Pa.

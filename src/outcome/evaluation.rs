@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::lasting::Trend;
 use super::particle::{LINK_DAMAGE, Particle, STRICT_DAMAGE};
 use super::piece::{Piece, Question};
 use super::tally::{self, Scale, all_values};
@@ -36,6 +37,26 @@ pub struct Outcome {
     /// The fate of each body, where requested.
     #[serde(default)]
     pub bodies: Vec<Origin>,
+    /// What becomes of the largest remnant, where it was watched.
+    #[serde(default)]
+    pub trend: Option<Trend>,
+}
+
+impl Outcome {
+    /// How much more mass the largest remnant has at twice the time, kg.
+    fn change(&self) -> f64 {
+        self.trend.map_or(0.0, |trend| trend.change * self.total_mass)
+    }
+
+    /// The largest remnant at twice the time, over the target.
+    pub fn later_fraction(&self) -> f64 {
+        self.largest_remnant_fraction + self.change() / self.target_mass
+    }
+
+    /// The largest remnant at twice the time, over both bodies.
+    pub fn later_of_total(&self) -> f64 {
+        self.largest_remnant_of_total + self.change() / self.total_mass
+    }
 }
 
 /// The outcome with fragments of particles damaged less than [`STRICT_DAMAGE`].
@@ -103,6 +124,7 @@ pub fn evaluate(comm: &Comm, particles: &[Particle], question: &Question) -> Eva
         unbound_mass: (total_mass - usual.mass).max(0.0),
         strict,
         bodies: Vec::new(),
+        trend: None,
     };
     let centre = CentreOfMass { position: total.position(&scale), velocity: total.velocity(&scale) };
     Evaluation { outcome, pieces: usual.pieces, in_largest: usual.in_largest, centre, mass }

@@ -11,11 +11,13 @@
 
 pub mod bound;
 pub mod crater;
+pub mod deposit;
 pub mod distributions;
 pub mod evaluation;
 pub mod filling;
 pub mod fragments;
 pub mod intrusion;
+pub mod lasting;
 pub mod nbody;
 pub mod origin;
 pub mod particle;

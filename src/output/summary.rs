@@ -168,6 +168,9 @@ pub struct Summary {
     /// The pieces of a body, or of two that have collided.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fragments: Option<Fragments>,
+    /// The heap that a body leaves on level ground.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub deposit: Option<Figures>,
     /// Rigid bodies at the end, as in history.csv, and their masses.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rigid: Option<Figures>,

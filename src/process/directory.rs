@@ -162,11 +162,13 @@ fn refuse_to_overwrite(path: &Path, found: &[String]) -> Result<()> {
 
 /// Whether a run, a search or a study writes a file of this name.
 pub fn is_of_a_run(name: &str) -> bool {
-    const FILES: [&str; 42] = [
+    const FILES: [&str; 44] = [
         "checkpoint.h5",
         "checkpoint_previous.h5",
         "crater.csv",
         "deepest.png",
+        "deposit.csv",
+        "deposit.png",
         "distention.csv",
         "distention.png",
         "ejecta.csv",

@@ -26,6 +26,7 @@ pub use tables::body::flow::{Flow, Streams, VibrationMode};
 pub use tables::body::table::InitialState;
 pub use tables::body::validated::Body;
 pub use tables::compare::{ComparisonSettings, Solution};
+pub use tables::impacts::deposit::DepositSettings;
 pub use tables::impacts::intrusion::IntrusionSettings;
 pub use tables::impacts::restitution::RestitutionSettings;
 pub use tables::impacts::threshold::USUAL_RADII;

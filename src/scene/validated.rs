@@ -7,6 +7,7 @@ use super::geometry::shape::BodyShape;
 use super::tables::body::validated::Body;
 use super::tables::compare::ComparisonSettings;
 use super::tables::gravity::GravitySettings;
+use super::tables::impacts::deposit::DepositSettings;
 use super::tables::impacts::fragments::FragmentsSettings;
 use super::tables::impacts::impact::ImpactSettings;
 use super::tables::impacts::intrusion::IntrusionSettings;
@@ -42,6 +43,7 @@ pub struct Scene {
     pub intrusion: Option<IntrusionSettings>,
     pub restitution: Option<RestitutionSettings>,
     pub fragments: Option<FragmentsSettings>,
+    pub deposit: Option<DepositSettings>,
     pub numerics: NumericsSettings,
     pub run: RunSettings,
     pub two_rates: Option<TwoRates>,

@@ -72,7 +72,7 @@ impl Footprint {
         let records = (owned + ghosts) * 8.0 * layout.stride() as f64;
         let list = owned * (4.0 * row + 8.0 + 4.0);
         let search = (owned + ghosts) * local as f64 + owned * site as f64;
-        let pieces = scene.impact.is_some() || scene.fragments.is_some();
+        let pieces = scene.impact.is_some() || scene.fragments.is_some() || scene.deposit.is_some();
         let outcome = if pieces { owned * LOOSE as f64 } else { 0.0 };
         let parts = [
             ("columns", owned * plan.registry.bytes_per_particle() as f64),

@@ -1,9 +1,10 @@
 //! The late stage of a run: when it begins and the effects of the switch; and the end of reaccumulation.
 
 use super::run::Run;
-use super::scales::free_fall_time;
+use super::scales::{first_contact, free_fall_time};
 use super::state::LateStart;
 use crate::error::Result;
+use crate::outcome::lasting::Lasting;
 use crate::outcome::reaccumulated::{Reaccumulated, Remnant};
 use crate::output::summary::Figures;
 use crate::scene::Until;
@@ -50,8 +51,21 @@ impl<const D: usize> Run<'_, D> {
         Ok(())
     }
 
-    /// Evaluates the largest remnant where that is due; takes the outcome once it has stopped changing. Collective.
+    /// Evaluates the largest remnant where that is due; takes the outcome once it is known what becomes of it. Collective.
     pub(super) fn watch_remnant(&mut self) -> Result<()> {
+        let time = self.stepper.state.time;
+        let contact = first_contact(self.scene);
+        if !self.state.lasting.get_or_insert_with(|| Lasting::new(contact)).is_due(time) {
+            return Ok(());
+        }
+        let share = self.evaluate_outcome().outcome.largest_remnant_of_total;
+        let is_over = self.state.lasting.as_mut().is_some_and(|lasting| lasting.note(time, share));
+        tracing::debug!("largest remnant {share:.4} of all mass");
+        if is_over { self.take_outcome() } else { Ok(()) }
+    }
+
+    /// Evaluates the largest remnant where that is due; takes the outcome once it has stopped changing. Collective.
+    pub(super) fn watch_reaccumulation(&mut self) -> Result<()> {
         let time = self.stepper.state.time;
         if self.state.has_outcome() || self.state.reaccumulated.as_ref().is_some_and(|remnants| !remnants.is_due(time))
         {

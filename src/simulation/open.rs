@@ -117,6 +117,7 @@ impl<'a, const D: usize> Run<'a, D> {
             snapshots: 0,
             settled: restart::settling(scene, first.kinetic_in_centre_of_mass()),
             snapshot_time: None,
+            lasting: None,
             reaccumulated: None,
             late: None,
             vibration: Vec::new(),

@@ -56,7 +56,7 @@ impl<const D: usize> Run<'_, D> {
              run.steps) takes it further",
             self.stepper.state.time
         );
-        Ok(Some(RunReport { ended: Ended::Finished, summary, outcome: self.state.outcome.clone(), later: end.later }))
+        Ok(Some(RunReport { ended: Ended::Finished, summary, outcome: self.state.outcome.clone() }))
     }
 
     /// Whether the files written after the last checkpoint exist: a disk may have been full. Collective.
@@ -64,12 +64,13 @@ impl<const D: usize> Run<'_, D> {
         let scene = self.scene;
         // Written after the checkpoint, which does not count it.
         let last = snapshot::name(self.state.snapshots + 1);
-        let files: [(&str, bool); 7] = [
+        let files: [(&str, bool); 8] = [
             ("outcome.png", scene.output.picture),
             ("fragments.csv", scene.impact.is_some() && !scene.hits_ground()),
             ("nbody.csv", scene.nbody.is_some()),
             ("restitution.csv", scene.restitution.is_some()),
             ("fragment_masses.csv", scene.fragments.is_some()),
+            ("deposit.csv", scene.deposit.is_some()),
             ("filling_profile.csv", scene.intrusion.is_some() && self.ends_deepest()),
             (
                 &last,

@@ -10,6 +10,7 @@ use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
 use crate::outcome::Outcome;
 use crate::outcome::crater::CraterEvaluation;
+use crate::outcome::deposit::Deposit;
 use crate::outcome::intrusion::IntrusionEvaluation;
 use crate::outcome::populations::Populations;
 use crate::output::publish::replace;
@@ -48,8 +49,6 @@ pub struct RunReport {
     pub summary: Summary,
     /// Where the run settled, or at its end.
     pub outcome: Option<Outcome>,
-    /// At twice the time, where it settled.
-    pub later: Option<Outcome>,
 }
 
 pub(super) struct Run<'a, const D: usize> {
@@ -91,6 +90,8 @@ pub(super) struct Products {
     pub intrusion: Option<IntrusionEvaluation>,
     /// Pieces to be drawn.
     pub populations: Option<Populations>,
+    /// Heap to be drawn.
+    pub deposit: Option<Deposit>,
     /// Whether the bounce is to be drawn.
     pub bounce: bool,
     /// Whether the cut is to be drawn.

@@ -120,7 +120,8 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
         material::viscosity::declare_contact(&mut registry);
     }
     let switch = scene.numerics.viscosity_switch.map(|floor| ViscositySwitch::declare(&mut registry, floor));
-    let divergence = switch.is_some().then(|| material::viscosity::declare_divergence(&mut registry));
+    let by_loading = matter.materials.iter().any(material::MaterialTable::has_loading_speed);
+    let divergence = (switch.is_some() || by_loading).then(|| material::viscosity::declare_divergence(&mut registry));
     let (beyond, eta) = (scene.numerics.density_relaxation, scene.numerics.eta);
     let relaxation = beyond.map(|beyond| DensityRelaxation::declare(&mut registry, beyond, eta));
     let mut view = ParticleView::new(&setup, &registry, core);

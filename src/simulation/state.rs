@@ -7,6 +7,7 @@ use crate::outcome::Outcome;
 use crate::outcome::crater::Crater;
 use crate::outcome::filling::Marks;
 use crate::outcome::intrusion::Fall;
+use crate::outcome::lasting::Lasting;
 use crate::outcome::reaccumulated::Reaccumulated;
 use crate::outcome::restitution::Bounce;
 use crate::outcome::settled::Settled;
@@ -98,7 +99,10 @@ pub struct RunState {
     #[serde(default)]
     pub snapshot_time: Option<f64>,
     pub settled: Option<Settled>,
-    /// The largest remnant, once the shock has left, where the run ends with reaccumulation.
+    /// The largest remnant, once the shock has left, where the run ends when it lasts.
+    #[serde(default)]
+    pub lasting: Option<Lasting>,
+    /// The same where the run ends with reaccumulation.
     #[serde(default)]
     pub reaccumulated: Option<Reaccumulated>,
     /// The switch to the late stage, once it has begun.
@@ -149,8 +153,6 @@ pub struct Restored {
 pub struct End {
     /// Whether the outcome is that of the end, not that of the time at which the impact had settled.
     pub has_outcome: bool,
-    /// The outcome at this end, where the one that counts is an earlier one.
-    pub later: Option<Outcome>,
 }
 
 /// How the late stage began.

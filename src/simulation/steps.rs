@@ -3,9 +3,10 @@
 use super::due::{self, NextStep};
 use super::results::summary::has_balance;
 use super::run::{Ended, Options, Run, RunReport};
-use super::scales::free_fall_time;
+use super::scales::{first_contact, free_fall_time};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
+use crate::outcome::lasting::Lasting;
 use crate::outcome::restitution::Bounce;
 use crate::output::publish::replace_text;
 use crate::output::{agree, on_root};
@@ -101,15 +102,7 @@ impl<'a, const D: usize> Run<'a, D> {
         let limit = self.scene.run.max_time.unwrap_or(f64::INFINITY);
         let end = match self.scene.run.until {
             Until::Time(end) => end.min(limit),
-            Until::Settled if self.scene.reaccumulates() => {
-                if self.state.has_outcome() {
-                    self.state.outcome_time.min(limit)
-                } else {
-                    limit
-                }
-            }
-            // Settled: the outcome is evaluated once more at twice that time.
-            Until::Settled if self.state.has_outcome() => (2.0 * self.state.outcome_time).min(limit),
+            Until::Settled if self.state.has_outcome() => self.state.outcome_time.min(limit),
             Until::Settled => limit,
         };
         end.is_finite().then_some(end)
@@ -189,12 +182,13 @@ impl<'a, const D: usize> Run<'a, D> {
             tracing::info!("settled at t = {time:.4e} s, step {}", self.stepper.state.step);
         }
         if self.scene.reaccumulates() {
-            return self.watch_remnant();
+            return self.watch_reaccumulation();
         }
-        if self.scene.run.until == Until::Settled && !self.state.has_outcome() {
-            self.take_outcome()?;
+        match self.scene.run.until == Until::Settled && !self.state.has_outcome() {
+            true if self.scene.hits_ground() => self.take_outcome(),
+            true => self.watch_remnant(),
+            false => Ok(()),
         }
-        Ok(())
     }
 
     fn sample_vibration(&mut self) {
@@ -207,7 +201,7 @@ impl<'a, const D: usize> Run<'a, D> {
         let end = match (&self.state.settled, self.end_time()) {
             (_, Some(end)) => end,
             (Some(settled), None) if self.scene.reaccumulates() => settled.earliest() + free_fall_time(self.scene),
-            (Some(settled), None) => 2.0 * settled.earliest(),
+            (Some(settled), None) => Lasting::earliest(first_contact(self.scene), settled.earliest()),
             (None, None) => f64::INFINITY,
         };
         self.stepper.state.time / end

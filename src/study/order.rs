@@ -4,6 +4,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::math::Line;
+
 /// The order of the finest step may differ this much from that of all, in orders, within the asymptotic range.
 const TOLERANCE: f64 = 0.25;
 
@@ -20,36 +22,11 @@ pub struct Order {
     pub doubt: String,
 }
 
-/// A straight line by least squares.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Line {
-    pub slope: f64,
-    /// Standard error of the slope, for three points and more.
-    pub standard_error: Option<f64>,
-    pub intercept: f64,
-}
-
-/// The line through points (x, y); none through fewer than two x.
-pub fn line(points: &[(f64, f64)]) -> Option<Line> {
-    let n = points.len() as f64;
-    let mean = |get: fn(&(f64, f64)) -> f64| points.iter().map(get).sum::<f64>() / n;
-    let (x_mean, y_mean) = (mean(|p| p.0), mean(|p| p.1));
-    let sxx: f64 = points.iter().map(|p| (p.0 - x_mean) * (p.0 - x_mean)).sum();
-    if points.len() < 2 || sxx <= 0.0 {
-        return None;
-    }
-    let slope = points.iter().map(|p| (p.0 - x_mean) * (p.1 - y_mean)).sum::<f64>() / sxx;
-    let intercept = y_mean - slope * x_mean;
-    let residual: f64 = points.iter().map(|p| p.1 - intercept - slope * p.0).map(|r| r * r).sum();
-    let standard_error = (points.len() > 2).then(|| (residual / (n - 2.0) / sxx).sqrt());
-    Some(Line { slope, standard_error, intercept })
-}
-
 /// The order of (spacing, error) from coarse to fine; `None` for fewer than two spacings. Errors of zero give no order.
 pub fn order(points: &[(f64, f64)]) -> Option<Order> {
     let logs: Vec<(f64, f64)> =
         points.iter().filter(|p| p.0 > 0.0 && p.1 > 0.0).map(|p| (libm::log(p.0), libm::log(p.1))).collect();
-    let Line { slope: order, standard_error, intercept: ln_coefficient } = line(&logs)?;
+    let Line { slope: order, standard_error, intercept: ln_coefficient, .. } = Line::through(&logs)?;
     Some(Order { order, standard_error, ln_coefficient, spacings: logs.len(), doubt: doubt(&logs, order) })
 }
 

@@ -3,7 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::order::line;
+use crate::math::Line;
 
 /// Points that no other beats, from cheap to expensive. `points` are (cost, error); one that is missing beats nothing.
 pub fn front(points: &[Option<(f64, f64)>]) -> Vec<usize> {
@@ -77,7 +77,7 @@ pub fn price(curve: &[Step], target: f64) -> Option<ErrorCost> {
 pub fn beyond(curve: &[Step], target: f64, order: f64) -> Option<ErrorCost> {
     let finest = curve.last()?;
     let logs: Vec<(f64, f64)> = curve.iter().map(|s| (libm::log(s.spacing), libm::log(s.cost))).collect();
-    let slope = line(&logs)?.slope;
+    let slope = Line::through(&logs)?.slope;
     if order <= 0.0 || finest.error <= target {
         return None;
     }

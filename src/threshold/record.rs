@@ -28,7 +28,6 @@ pub struct Impact {
     pub q: f64,
     pub q_r: f64,
     pub outcome: Outcome,
-    pub later: Outcome,
     pub price: ImpactCost,
     pub state_hash: String,
     /// Warnings of its run.
@@ -69,7 +68,7 @@ impl Impact {
         Point {
             q: self.q,
             remnant: self.outcome.largest_remnant_fraction,
-            remnant_later: self.later.largest_remnant_fraction,
+            remnant_later: self.outcome.later_fraction(),
         }
     }
 
@@ -78,7 +77,7 @@ impl Impact {
         Point {
             q: self.q_r,
             remnant: self.outcome.largest_remnant_of_total,
-            remnant_later: self.later.largest_remnant_of_total,
+            remnant_later: self.outcome.later_of_total(),
         }
     }
 
@@ -113,7 +112,7 @@ impl Impact {
             named("q", self.q),
             named("q_r", self.q_r),
             named("largest_remnant_fraction", self.outcome.largest_remnant_fraction),
-            named("largest_remnant_fraction_later", self.later.largest_remnant_fraction),
+            named("largest_remnant_fraction_later", self.outcome.later_fraction()),
             named("largest_remnant_fraction_strict", self.outcome.strict.largest_remnant_fraction),
             named("largest_fragment_fraction", self.outcome.largest_fragment_fraction),
             named("largest_remnant_of_total", self.outcome.largest_remnant_of_total),
@@ -204,7 +203,6 @@ mod tests {
             q: 1.0,
             q_r: 1.0,
             outcome: Outcome { largest_remnant_fraction: 0.05, ..Outcome::default() },
-            later: Outcome::default(),
             price,
             state_hash: String::new(),
             warnings,

@@ -104,7 +104,7 @@ impl Progress<'_> {
         tracing::info!(
             "impact {number}: M_lr / M_T = {:.3}, {:.3} at twice the time",
             impact.outcome.largest_remnant_fraction,
-            impact.later.largest_remnant_fraction
+            impact.outcome.later_fraction()
         );
         self.impacts.push(impact);
         record::write(&self.options.directory, &self.impacts, comm)?;
@@ -198,7 +198,6 @@ impl<'a> Search<'a> {
         let _lock = directory::prepare(&directory, options.resume, Work::Run, comm)?;
         let report = simulation::run(&scene, &Options { directory, ..options.clone() }, comm)?;
         let (Ended::Finished, Some(outcome)) = (report.ended, report.outcome) else { return Ok(None) };
-        let later = report.later.unwrap_or_else(|| outcome.clone());
         let (target, projectile) = (self.target.whole_mass(), self.projectile_mass(length));
         Ok(Some(Impact {
             repeat,
@@ -206,7 +205,6 @@ impl<'a> Search<'a> {
             q: scaling::q(target, projectile, self.speed),
             q_r: scaling::q_r(target, projectile, self.speed),
             outcome,
-            later,
             price: price(&report.summary),
             state_hash: report.summary.state_hash,
             warnings: report.summary.warnings,
@@ -373,7 +371,7 @@ impl<'a> Found<'a> {
             },
             Series {
                 label: "at twice the time".into(),
-                points: of(false, |i| (i.q, i.later.largest_remnant_fraction)),
+                points: of(false, |i| (i.q, i.outcome.later_fraction())),
                 errors: Vec::new(),
                 mark: Mark::Points,
             },

@@ -10,6 +10,7 @@ use crate::scene::tables::body::table::BodyTable;
 use crate::scene::tables::compare::CompareTable;
 use crate::scene::tables::domain::DomainTable;
 use crate::scene::tables::gravity::GravityTable;
+use crate::scene::tables::impacts::deposit::DepositTable;
 use crate::scene::tables::impacts::fragments::FragmentsTable;
 use crate::scene::tables::impacts::impact::ImpactTable;
 use crate::scene::tables::impacts::intrusion::IntrusionTable;
@@ -50,6 +51,7 @@ pub struct SceneTables {
     pub intrusion: Option<IntrusionTable>,
     pub restitution: Option<RestitutionTable>,
     pub fragments: Option<FragmentsTable>,
+    pub deposit: Option<DepositTable>,
     #[serde(default)]
     pub domain: DomainTable,
     pub gravity: Option<GravityTable>,

@@ -61,6 +61,8 @@ pub fn validate(document: &Document, tables: &SceneTables) -> Result<Scene> {
     let restitution =
         tables.restitution.as_ref().map(|table| table.validate(document, &bodies, &gravity)).transpose()?;
     let fragments = tables.fragments.as_ref().map(|table| table.validate(document, &bodies)).transpose()?;
+    let deposit =
+        tables.deposit.as_ref().map(|table| table.validate(document, &bodies, &gravity, &periods)).transpose()?;
     let threshold = match &tables.threshold {
         None => None,
         Some(threshold) => Some(threshold.validate(document, &checks::varied(document, impact.as_ref(), &bodies)?)?),
@@ -88,6 +90,7 @@ pub fn validate(document: &Document, tables: &SceneTables) -> Result<Scene> {
         intrusion,
         restitution,
         fragments,
+        deposit,
         numerics,
         run,
         two_rates,

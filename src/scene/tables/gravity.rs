@@ -66,6 +66,18 @@ impl GravitySettings {
     pub fn any(&self) -> bool {
         self.uniform.is_some() || self.own.is_some()
     }
+
+    /// The axis of uniform gravity and its component along it, m/s^2; none where there is none, or it is along no axis.
+    pub fn axis(&self) -> Option<(usize, f64)> {
+        only_component(&self.uniform?)
+    }
+}
+
+/// The only component of a vector that is not zero: its axis and value.
+pub fn only_component(v: &[f64; 3]) -> Option<(usize, f64)> {
+    let mut components = (0..3).filter(|&k| v[k] != 0.0);
+    let axis = components.next().filter(|_| components.next().is_none())?;
+    Some((axis, v[axis]))
 }
 
 impl GravityTable {

@@ -3,13 +3,14 @@
 
 use std::path::Path;
 
-use super::report::{self, Report};
+use super::report::{self, Answers, Report};
 use super::summary;
 use super::warnings;
-use super::{fragments, ground};
+use super::{deposit, fragments, ground};
 use crate::comparison::Noted;
 use crate::error::{Error, Result};
 use crate::outcome::distributions::distributions;
+use crate::outcome::lasting::Lasting;
 use crate::outcome::origin;
 use crate::output::figures::or_warn;
 use crate::output::summary::{Figures, Fragments};
@@ -28,6 +29,7 @@ impl<const D: usize> Run<'_, D> {
             let masses: Vec<f64> = whole.map(|(_, body)| body.whole_mass()).collect();
             evaluation.outcome.bodies =
                 origin::by_body(self.comm, &self.particles(), &evaluation, &self.question(), &masses);
+            evaluation.outcome.trend = self.state.lasting.as_ref().and_then(Lasting::trend);
             let tables = distributions(self.comm, &evaluation, D);
             let named = [
                 ("fragments.csv", tables.fragments),
@@ -60,6 +62,9 @@ impl<const D: usize> Run<'_, D> {
             }
             if let Some(populations) = products.populations.filter(|_| root) {
                 or_warn(self.draw_populations(&populations));
+            }
+            if let Some(deposit) = products.deposit.filter(|_| root) {
+                or_warn(self.draw_deposit(&deposit));
             }
             if let Some(evaluation) = products.intrusion {
                 let drawn = self.draw_deepest();
@@ -108,23 +113,21 @@ impl<const D: usize> Run<'_, D> {
         self.check_density();
         let settled_now = self.state.outcome_time == self.stepper.state.time;
         let at_end = again.as_ref().map_or(!self.state.has_outcome(), |end| end.has_outcome);
-        let mut later = None;
         match self.scene.impact.is_some() {
             true if at_end || (settled_now && self.products.tables.is_empty()) => self.take_outcome()?,
-            true if again.is_some() || settled_now || self.scene.reaccumulates() || self.scene.hits_ground() => {}
-            true => later = Some(self.evaluate_outcome().outcome),
+            true => {}
             false => self.products.cut = true,
         }
         if self.scene.intrusion.is_some() && (!self.is_deepest() || (again.is_some() && self.ends_deepest())) {
             self.take_intrusion();
         }
-        let fragments = self.take_fragments();
+        let (fragments, deposit) = (self.take_fragments(), self.take_deposit());
         let (errors, nbody) = (self.errors(None), self.nbody());
         let again = again.is_some();
         let saved = if again {
             Ok(())
         } else {
-            self.state.end = Some(End { has_outcome: at_end, later });
+            self.state.end = Some(End { has_outcome: at_end });
             self.write_checkpoint()
         };
         let snapshot = self.scene.output.snapshots != Snapshots::Never
@@ -132,7 +135,7 @@ impl<const D: usize> Run<'_, D> {
         // After a failed checkpoint there is no room for a snapshot, nor can HDF5 be relied on.
         let there = again && !self.lacks(&[&snapshot::name(self.state.snapshots + 1)]);
         let snapshot = snapshot && saved.is_ok() && !there;
-        let summary = self.summary(errors.clone().unwrap_or_default(), nbody, fragments);
+        let summary = self.summary(errors.clone().unwrap_or_default(), Answers { nbody, fragments, deposit });
         let path = self.options.directory.join("summary.json");
         let reported = saved.and(errors.and_then(|_| summary.write(&path, self.comm)));
         let failed = agree(self.comm, self.failed.take().map_or(Ok(()), Err));
@@ -167,28 +170,35 @@ impl<const D: usize> Run<'_, D> {
         Some(figures)
     }
 
+    /// Table and figures of the heap that is asked about. Collective.
+    fn take_deposit(&mut self) -> Option<Figures> {
+        let (deposit, settings) = (self.deposit()?, self.scene.deposit?);
+        self.products.tables.push(("deposit.csv", deposit.table().into_bytes()));
+        let figures = deposit::figures(&deposit, &settings);
+        self.products.deposit = Some(deposit);
+        Some(figures)
+    }
+
     /// The results of a run that ends here. Collective.
     pub(in crate::simulation) fn report(self, ended: Ended) -> RunReport {
-        let summary = self.summary(Figures::default(), None, None);
+        let summary = self.summary(Figures::default(), Answers::default());
         self.report_of(ended, summary)
     }
 
     fn report_of(self, ended: Ended, summary: Summary) -> RunReport {
-        RunReport { ended, summary, outcome: self.state.outcome, later: self.state.end.and_then(|end| end.later) }
+        RunReport { ended, summary, outcome: self.state.outcome }
     }
 
-    fn summary(&self, errors: Figures, nbody: Option<Figures>, fragments: Option<Fragments>) -> Summary {
+    fn summary(&self, errors: Figures, answers: Answers) -> Summary {
         summary::summarise(&Report {
             scene: self.scene,
             stepper: &self.stepper,
             state: &self.state,
             totals: &self.totals,
-            later: self.state.end.as_ref().and_then(|end| end.later.as_ref()),
             density: &self.density,
             spent: self.spent(),
             errors,
-            nbody,
-            fragments,
+            answers,
             resident_at_start: self.options.resident_at_start,
             accuracy: self.options.accuracy.as_ref(),
             comm: self.comm,

@@ -2,6 +2,7 @@
 //! its end.
 
 mod centres;
+pub(in crate::simulation) mod deposit;
 mod files;
 pub(in crate::simulation) mod finish;
 pub(in crate::simulation) mod fragments;

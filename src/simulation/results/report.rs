@@ -6,7 +6,6 @@ use crate::domain::comm::Comm;
 use crate::error::Result;
 use crate::material::MaterialEffect;
 use crate::math::Vec3;
-use crate::outcome::Outcome;
 use crate::output::Cell;
 use crate::output::figures::cut::{self, Picture};
 use crate::output::figures::raster::Plane;
@@ -141,20 +140,26 @@ pub fn turns_freely<const D: usize>(scene: &Scene, stepper: &Stepper<D>) -> bool
     !stepper.settings.prescribes_motion() && !scene.periods.any() && scene.gravity.uniform.is_none()
 }
 
+/// What a scene asks of the end of a run, each by a table of its own.
+#[derive(Debug, Clone, Default)]
+pub struct Answers {
+    pub nbody: Option<Figures>,
+    pub fragments: Option<Fragments>,
+    pub deposit: Option<Figures>,
+}
+
 /// The input of a summary.
 pub struct Report<'a, 'c, const D: usize> {
     pub scene: &'a Scene,
     pub stepper: &'a Stepper<'c, D>,
     pub state: &'a RunState,
     pub totals: &'a Totals,
-    pub later: Option<&'a Outcome>,
     /// Density against mass over volume at the last check.
     pub density: &'a DensityCheck,
     pub spent: Spent,
     /// Errors against the exact solution that the scene names.
     pub errors: Figures,
-    pub nbody: Option<Figures>,
-    pub fragments: Option<Fragments>,
+    pub answers: Answers,
     pub resident_at_start: f64,
     pub accuracy: Option<&'a Accuracy>,
     pub comm: &'a Comm,

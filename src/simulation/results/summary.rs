@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::report::{Report, turns_freely};
-use super::{fragments, ground, intrusion, restitution, warnings};
+use super::{deposit, fragments, ground, intrusion, restitution, warnings};
 use crate::domain::comm::Comm;
 use crate::outcome::Outcome;
 use crate::outcome::crater::Crater;
@@ -78,9 +78,10 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
         remnants: state.outcome.as_ref().map_or(Remnants::default(), |outcome| remnants(outcome, report.scene)),
         intrusion: state.intrusion.as_ref().map(|fall| intrusion::figures(fall, report.scene)),
         restitution: state.bounce.as_ref().map(restitution::figures),
-        fragments: report.fragments.clone(),
+        fragments: report.answers.fragments.clone(),
+        deposit: report.answers.deposit.clone(),
         rigid: rigid::figures(report.scene, &stepper.state.rigid),
-        nbody: report.nbody.clone(),
+        nbody: report.answers.nbody.clone(),
         threshold: None,
         accuracy: report.accuracy.cloned(),
         warnings: warnings::of_scene(report.scene),
@@ -141,7 +142,7 @@ fn shares(names: impl IntoIterator<Item = &'static str>, seconds: &[f64], total:
 fn outcome_figures<const D: usize>(report: &Report<D>) -> Figures {
     let mut figures = vec![("time".to_string(), report.state.outcome_time)];
     if let Some(outcome) = &report.state.outcome {
-        figures.extend(remnant_figures(outcome, report.later));
+        figures.extend(remnant_figures(outcome));
     }
     if let Some(crater) = &report.state.crater {
         figures.extend(ground::figures(crater));
@@ -160,7 +161,7 @@ fn outcome_figures<const D: usize>(report: &Report<D>) -> Figures {
     Figures(figures)
 }
 
-fn remnant_figures(outcome: &Outcome, later: Option<&Outcome>) -> Vec<(String, f64)> {
+fn remnant_figures(outcome: &Outcome) -> Vec<(String, f64)> {
     let named = |name: &str, value: f64| (name.to_string(), value);
     let mut figures = vec![
         named("largest_remnant_fraction", outcome.largest_remnant_fraction),
@@ -175,9 +176,10 @@ fn remnant_figures(outcome: &Outcome, later: Option<&Outcome>) -> Vec<(String, f
         named("target_mass", outcome.target_mass),
         named("total_mass", outcome.total_mass),
     ];
-    if let Some(later) = later {
-        figures.push(named("largest_remnant_fraction_later", later.largest_remnant_fraction));
-        figures.push(named("largest_remnant_of_total_later", later.largest_remnant_of_total));
+    if let Some(trend) = outcome.trend {
+        figures.push(named("largest_remnant_fraction_later", outcome.later_fraction()));
+        figures.push(named("largest_remnant_of_total_later", outcome.later_of_total()));
+        figures.push(named("largest_remnant_of_total_uncertainty", trend.uncertainty));
     }
     figures
 }
@@ -237,6 +239,9 @@ pub fn print(summary: &Summary, crater: Option<&Crater>, printed: usize, directo
     }
     if let Some(found) = &summary.fragments {
         fragments::print(found);
+    }
+    if let Some(figures) = &summary.deposit {
+        deposit::print(figures);
     }
     if let Some(outcome) = summary.outcome.as_ref().filter(|outcome| outcome.0.iter().any(|(n, _)| n == "fragments")) {
         let of = |name: &str| outcome.0.iter().find(|(n, _)| n == name).map_or(f64::NAN, |(_, v)| *v);

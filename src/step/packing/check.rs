@@ -39,8 +39,8 @@ impl Packing {
 pub struct DensityCheck {
     /// One for each body; all are zero where no step has been taken since lists were released.
     pub bodies: Vec<Packing>,
-    /// What 99 of 100 particles inside matter do not exceed: of density and mass over volume the larger over the smaller, less 1; NaN
-    /// where there are none.
+    /// What 99 of 100 particles inside matter do not exceed: of density and mass over volume the larger over the smaller, less 1, what a
+    /// surface nearby accounts for apart; NaN where there are none.
     pub drift: f64,
 }
 
@@ -63,10 +63,9 @@ const FIRST: f64 = 1e-4;
 const WIDTH: f64 = 1.0491413;
 const QUANTILE: f64 = 0.99;
 
-/// The class of a particle.
-fn class(packing: f64) -> usize {
-    let off = libm::fabs(libm::log(packing));
-    let number = libm::log(off / FIRST) / libm::log(WIDTH);
+/// The class of ln S.
+fn class(off: f64) -> usize {
+    let number = libm::log(libm::fabs(off) / FIRST) / libm::log(WIDTH);
     if number > 0.0 { (number.ceil() as usize).min(CLASSES - 1) } else { 0 }
 }
 
@@ -98,7 +97,7 @@ impl<const D: usize> Stepper<'_, D> {
                 let is_dense = density > COMPRESSED * self.settings.view.constants[body].density;
                 let inside = sums.is_inside();
                 if inside {
-                    counts[class(sums.packing)] += 1;
+                    counts[class(sums.off())] += 1;
                 }
                 let [crowded, sparse] = [sums.packing > FACTOR, sums.packing < 1.0 / FACTOR].map(|off| inside && off);
                 let alone = is_dense && sums.cover > 0.0 && sums.cover < LEAST_COVER;
@@ -123,11 +122,12 @@ mod tests {
         let mut counts = vec![0; CLASSES];
         assert!(quantile(&counts).is_nan());
         // One in fifty is off by a fifth, to either side.
-        (0..980).for_each(|_| counts[class(1.003)] += 1);
-        (0..20).for_each(|k| counts[class(if k % 2 == 0 { 1.2 } else { 1.0 / 1.2 })] += 1);
+        let off = |factor: f64| class(libm::log(factor));
+        (0..980).for_each(|_| counts[off(1.003)] += 1);
+        (0..20).for_each(|k| counts[off(if k % 2 == 0 { 1.2 } else { 1.0 / 1.2 })] += 1);
         assert!((quantile(&counts) / 0.2 - 1.0).abs() < 0.06, "{}", quantile(&counts));
-        (0..2000).for_each(|_| counts[class(1.003)] += 1);
+        (0..2000).for_each(|_| counts[off(1.003)] += 1);
         assert!((quantile(&counts) / 0.003 - 1.0).abs() < 0.06, "{}", quantile(&counts));
-        assert_eq!((class(1.0), class(0.0), class(1e9)), (0, CLASSES - 1, CLASSES - 1));
+        assert_eq!((off(1.0), off(0.0), off(1e9)), (0, CLASSES - 1, CLASSES - 1));
     }
 }

@@ -3,12 +3,9 @@
 //! ```text
 //! d rho / dt = -rho div v + rho C (c / h) e     e = ln S beyond +-ln(1 + b), else 0     C = 1/4
 //! ```
-//! S and C of [`sums`](super::sums), inside matter alone: spray and rigid bodies keep their density. b is what both may differ by; c is
+//! S of [`sums`](super::sums), inside matter alone: spray and rigid bodies keep their density. b is what both may differ by; c is
 //! the speed of sound, so that matter without pressure, whose density does nothing, is left as it is. S is measured in every eighth
 //! step, and its rate acts until the next. Momentum and energy are kept exactly, as pairs exchange what they exchange at any density.
-//!
-//! Where S is too large particles are too close, whatever is around. Where it is too small that may be for want of neighbours: near a surface
-//! the sum misses matter, and its first moment tells how much at most. So S (1 + |sum_j v_j x_ij W_ij| / (h C)) counts there.
 
 use super::sums::{Neighbours, Sums};
 use crate::material::ParticleView;
@@ -58,12 +55,8 @@ impl DensityRelaxation {
 
     /// e.
     fn excess(&self, sums: &Sums) -> f64 {
-        if !sums.is_inside() {
-            return 0.0;
-        }
-        let crowded = libm::log(sums.packing) - self.free;
-        let sparse = libm::log(sums.packing * (1.0 + sums.shift / sums.cover)) + self.free;
-        if crowded > 0.0 { crowded } else { sparse.min(0.0) }
+        let off = if sums.is_inside() { sums.off() } else { 0.0 };
+        off - off.clamp(-self.free, self.free)
     }
 
     /// Adds to the rates of density.

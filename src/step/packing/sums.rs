@@ -35,6 +35,13 @@ impl Sums {
     pub fn is_inside(&self) -> bool {
         self.cover >= LEAST_COVER && self.shift <= MOST_SHIFT * self.cover
     }
+
+    /// ln S of a particle inside matter. Where S is too large particles are too close, whatever is around. Where it is too small that may
+    /// be for want of neighbours: near a surface the sum misses matter, and its first moment tells how much at most.
+    pub fn off(&self) -> f64 {
+        let off = libm::log(self.packing);
+        if off >= 0.0 { off } else { (off + libm::log1p(self.shift / self.cover)).min(0.0) }
+    }
 }
 
 /// Lists and records of an evaluation.

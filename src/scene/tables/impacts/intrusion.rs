@@ -9,7 +9,7 @@ use crate::material::MaterialTable;
 use crate::particles::Periods;
 use crate::scene::document::source::Document;
 use crate::scene::tables::body::validated::Body;
-use crate::scene::tables::gravity::GravitySettings;
+use crate::scene::tables::gravity::{GravitySettings, only_component};
 
 /// A body that falls into dust, along the axis of uniform gravity or, without it, of the body's velocity: how deep, how long, and what it
 /// leaves of the dust when it is deepest.
@@ -98,10 +98,7 @@ impl IntrusionTable {
 /// The axis of a fall and its component; none where it is along none.
 fn direction(body: &Body, gravity: &GravitySettings) -> Option<(usize, f64)> {
     let pull = gravity.uniform.filter(|g| *g != [0.0; 3]);
-    let along = pull.unwrap_or(body.velocity);
-    let mut components = (0..3).filter(|&k| along[k] != 0.0);
-    let axis = components.next().filter(|_| components.next().is_none())?;
-    Some((axis, along[axis]))
+    only_component(&pull.unwrap_or(body.velocity))
 }
 
 #[cfg(test)]
