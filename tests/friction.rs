@@ -3,7 +3,7 @@
 use sph_mpi::domain::comm::Comm;
 use sph_mpi::math::{Deviator, Vec3};
 
-use crate::common::{ByHand, ranks};
+use crate::common::{ByHand, Launch, assert_as_measured, assert_known_files, ranks, summary};
 
 const COLUMN: &str = include_str!("../inputs/column_collapse.toml");
 
@@ -55,6 +55,25 @@ fn a_column_of_sand_comes_to_rest() {
         println!("without friction: {beyond:.3} beyond, rms {:.2e} m/s", square.sqrt());
         assert!(beyond > 0.1 && square.sqrt() > 0.1 * (9.81f64 * 0.1).sqrt(), "{beyond} {square}");
     });
+}
+
+/// The same heap as the program measures it, in the plane and as a channel in space.
+#[test]
+fn a_heap_is_measured() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let asked = format!("{COLUMN}\n[deposit]\nbody = \"sand\"\n");
+    let set: Vec<&str> = COARSE.iter().flat_map(|change| ["--set", change]).collect();
+    Launch::in_directory(1, dir.path(), &asked, &set).run().expect_code(0);
+    let run = dir.path().join("run");
+    let heap = &summary(&run)["deposit"];
+    let of = |name: &str| heap[name].as_f64().expect("a number");
+    // Lube et al. 2005: 1.2 half widths, and as high as half as wide.
+    assert_as_measured("run-out", of("run_out"), 1.2);
+    assert!((of("run_out") / 1.2 - 1.0).abs() < 0.2 && (of("height_over_half_width") - 1.0).abs() < 0.2, "{heap:#}");
+    assert!((of("foot") - 0.1 * (1.0 + of("run_out"))).abs() < 1e-12 && of("speed_over_fall") < 0.02, "{heap:#}");
+    let table = std::fs::read_to_string(run.join("deposit.csv")).expect("deposit.csv");
+    assert!(table.starts_with("distance_m,height_m\n1e-2,") && table.lines().count() > 10, "{table}");
+    assert_known_files(&run);
 }
 
 /// Gravity, moduli, strength and energies times four: the same fall in half the time, bit for bit.

@@ -7,6 +7,7 @@ use crate::common::same_on_any_ranks;
 use sph_mpi::domain::comm::Comm;
 use sph_mpi::gravity::G;
 use sph_mpi::math::Vec3;
+use sph_mpi::outcome::deposit::{Deposit, Question as Heap};
 use sph_mpi::outcome::{Evaluation, Particle, Question, distributions::distributions, evaluate, fragments, origin};
 use sph_mpi::random::uniform;
 
@@ -319,5 +320,42 @@ fn a_neighbour_is_no_remnant() {
             answers += &(digest(comm, &evaluation) + &format!("{told:?}"));
         }
         answers
+    });
+}
+
+/// A cone of a slope of one half, eight sites high, and a wedge across a period.
+#[test]
+fn deposits() {
+    same_on_any_ranks("ranks_outcome::deposits", |comm| {
+        let sites = |round: bool| {
+            let across = if round { -16i64..=16 } else { 0..=2 };
+            let plane = (-16i64..=16).flat_map(move |x| across.clone().map(move |y| (x, y)));
+            plane.flat_map(move |(x, y)| {
+                let out = if round { ((x * x + y * y) as f64).sqrt() } else { x.abs() as f64 };
+                (0..).take_while(move |z| *z as f64 + 0.5 <= 8.0 - 0.5 * out).map(move |z| [x, y, z])
+            })
+        };
+        let heap = |round: bool| {
+            let speed = Vec3::new(0.0, 3.0, 4.0);
+            let all: Vec<Particle> =
+                sites(round).enumerate().map(|(id, site)| particle(id as u64, site, speed, 1.0)).collect();
+            let question = Heap {
+                origin: Vec3::new(0.0, 0.0, -0.5 * SPACING),
+                up: Vec3::z(),
+                out: [Some(0), round.then_some(1)],
+                spacing: SPACING,
+            };
+            Deposit::measure(comm, &share(comm, &all, 16.0 * SPACING), &question)
+        };
+        let (cone, wedge) = (heap(true), heap(false));
+        assert_eq!((cone.speed, wedge.speed), (5.0, 5.0));
+        // Two sites are as high as each other; the highest particle is half a spacing below the top.
+        assert_eq!(wedge.profile[1], [3.0 * SPACING, 6.5 * SPACING]);
+        assert_eq!((wedge.height, wedge.foot), (7.5 * SPACING, 12.0 * SPACING));
+        assert!((wedge.flank - 0.5).abs() < 1e-12 && (cone.flank - 0.5).abs() < 0.05, "{} {}", wedge.flank, cone.flank);
+        // Of a cone a hundredth lies beyond the circle where (out / radius)^2 (3 - 2 out / radius) is 0.99.
+        assert!((cone.foot_99 / (0.941 * 15.0 * SPACING) - 1.0).abs() < 0.06, "{}", cone.foot_99);
+        let bits = |heap: &Deposit| [heap.foot, heap.foot_99, heap.height, heap.flank].map(f64::to_bits);
+        format!("{:?} {:?} {}", bits(&cone), bits(&wedge), cone.table())
     });
 }

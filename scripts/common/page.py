@@ -18,7 +18,7 @@ Written by `scripts/validate`: each block below by the topic of its name in `scr
 follows from runs of scenes of `inputs/`; nothing is edited by hand. `tests/exact.rs` and `tests/compaction.rs` run a small version of each
 case.
 
-Other pages: [integrators](integrators.md) (`scripts/validate integrators`), [fracture](fracture.md) (`scripts/validate fracture`), [craters](craters.md) (`scripts/validate craters`), [dust](dust.md) (`scripts/validate dust`), [dissipation](dissipation.md) (`scripts/validate dissipation`), [disruption thresholds](q_star.md) (`scripts/validate q_star`), [campaigns](campaigns.md) (`scripts/validate campaigns`),
+Other pages: [what accuracy costs](price.md) (`scripts/validate price`), [integrators](integrators.md) (`scripts/validate integrators`), [fracture](fracture.md) (`scripts/validate fracture`), [craters](craters.md) (`scripts/validate craters`), [dust](dust.md) (`scripts/validate dust`), [dissipation](dissipation.md) (`scripts/validate dissipation`), [disruption thresholds](q_star.md) (`scripts/validate q_star`), [campaigns](campaigns.md) (`scripts/validate campaigns`),
 [speed](bench.md) (`scripts/bench`), [scaling and predictions](cluster.md) (`scripts/bench cluster`).
 """
 

@@ -3,7 +3,6 @@ Lajeunesse et al. 2005)."""
 
 import math
 
-import h5py
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -50,6 +49,7 @@ def column(aspect, across, friction=0.5):
         f"material.sand.strength.drucker_prager.friction={friction}",
         f"run.until={5 * math.sqrt(height / G)}",
         "output.snapshots=0",
+        'deposit.body="sand"',
     ]
     return Run(f"granular/{aspect:g}_{across}_{friction:g}", "column_collapse.toml", settings)
 
@@ -80,6 +80,7 @@ def in_space(aspect, across, is_round):
         f"material.sand.strength.shear_modulus={0.43 * bulk}",
         f"run.until={5 * math.sqrt(height / G)}",
         "output.snapshots=0",
+        'deposit.body="sand"',
     ]
     return Run(f"granular/{'round' if is_round else 'slab'}_{aspect:g}_{across}", "column_collapse.toml", settings)
 
@@ -99,45 +100,14 @@ def runs():
     return list({run.name: run for run in columns}.values())
 
 
-def deposit(run):
-    """Heights over distance from the middle, the mean of both sides; speed of the mean square, over sqrt(g H)."""
-    with h5py.File(run.folder / "checkpoint.h5") as file:
-        columns = file["columns"]
-        sand = columns["id"][:].ravel().view(np.uint64) >> 48 == 0
-        x, v = columns["position"][:][sand], columns["velocity"][:][sand]
-    return x, v
-
-
-def measure(run, aspect, across):
-    """Foot, height (both over the half width), slope of the flank in degrees, rms speed over sqrt(g H), and the profile."""
-    x, v = deposit(run)
-    spacing = HALF_WIDTH / across
-    out, sector = directions(x, "round" in run.name)
-    edges = np.arange(0, out.max() + 2 * spacing, 2 * spacing)
-    heights = np.array([top(x[:, -1], sector, (out >= low) & (out < low + 2 * spacing)) for low in edges[:-1]])
-    middle = 0.5 * (edges[:-1] + edges[1:])
-    # The foot is where less than two layers of particles are left: beyond it grains lie singly. In space, where a layer is a large part of
-    # the deposit, beyond it lies a hundredth of the sand.
-    thick = np.nonzero(heights > 2 * spacing)[0]
-    foot = edges[thick[-1] + 1] if x.shape[1] == 2 else np.quantile(out, 0.99)
-    height = heights.max()
-    flank = (heights > 0.2 * height) & (heights < 0.8 * height)
-    slope = math.degrees(math.atan(-np.polyfit(middle[flank], heights[flank], 1)[0])) if flank.sum() > 2 else math.nan
-    speed = math.sqrt((v**2).sum(axis=1).mean() / (G * aspect * HALF_WIDTH))
-    return foot / HALF_WIDTH - 1, height / HALF_WIDTH, slope, speed, (middle, heights)
-
-
-def directions(x, is_round):
-    """Distance from the middle, and the number of the side (of a channel) or sector (of a round heap) that a particle lies in."""
-    if is_round:
-        return np.hypot(x[:, 0], x[:, 1]), ((np.arctan2(x[:, 1], x[:, 0]) / (2 * math.pi) % 1.0) * 8).astype(int)
-    return np.abs(x[:, 0]), (x[:, 0] > 0).astype(int)
-
-
-def top(heights, sector, inside):
-    """Height of the highest particle, the mean of all sides or sectors; none counts as none."""
-    sides = np.unique(sector)
-    return sum(heights[inside & (sector == side)].max(initial=0.0) for side in sides) / len(sides)
+def measure(run, summary):
+    """Foot, height (both over the half width), slope of the flank in degrees, rms speed over sqrt(g H), and the profile, m."""
+    heap = summary["deposit"]
+    profile = np.loadtxt(run.folder / "deposit.csv", delimiter=",", skiprows=1, ndmin=2).T
+    # In space, where two layers are a large part of the deposit, the foot is the distance within which 99 of 100 particles lie.
+    foot = "run_out_99" if "dimension=3" in run.settings else "run_out"
+    slope = math.nan if heap["flank_angle"] is None else heap["flank_angle"]
+    return heap[foot], heap["height_over_half_width"], slope, heap["speed_over_fall"], profile
 
 
 def exponent(points):
@@ -156,11 +126,13 @@ def write(found):
     others = []
     aspect, resolutions = RESOLUTION
     for across in resolutions:
-        runout, height, slope, *_ = measure(column(aspect, across), aspect, across)
+        run = column(aspect, across)
+        runout, height, slope, *_ = measure(run, found[run.name])
         others.append([f"{across} particles along the half width", f"{runout:.3g}", f"{height:.3g}", f"{slope:.0f}"])
     aspect, frictions = FRICTION
     for friction in frictions:
-        runout, height, slope, *_ = measure(column(aspect, ASPECTS[aspect], friction), aspect, ASPECTS[aspect])
+        run = column(aspect, ASPECTS[aspect], friction)
+        runout, height, slope, *_ = measure(run, found[run.name])
         others.append([f"friction {friction:g} for 0.5", f"{runout:.3g}", f"{height:.3g}", f"{slope:.0f}"])
     draw({"channel": measured, "channel in 3D": slabs, "round": rounds})
     head = ["a", "run-out", "law", "off by", "height", "law", "off by", "slope, deg", "foot to top, deg", "rms v / sqrt(g H)", "energy drift", "particles", "core-s"]
@@ -211,7 +183,7 @@ def compared(what_it_is, cases, found):
     failures, lines, measured = [], [], {}
     for aspect, across, run, laws in cases:
         summary = found[run.name]
-        runout, height, slope, speed, profile = measured[aspect] = measure(run, aspect, across)
+        runout, height, slope, speed, profile = measured[aspect] = measure(run, summary)
         cells = []
         for what, value, expected in (("run-out", runout, laws[0]), ("height", height, laws[1])):
             off = value / expected - 1

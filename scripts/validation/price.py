@@ -1,72 +1,133 @@
-"""What accuracy costs: error against core-seconds over kernel, neighbours, time step and viscosity, by two studies of inputs/studies/."""
+"""What accuracy costs: error against core-seconds over schemes of viscosity, kernels and spacings, for nine kinds of scene, by the studies of
+inputs/studies/price/."""
 
 import math
 
-from common import page
+import matplotlib.pyplot as plt
+
+from common import kept, page
 from common.runs import Study
 
-TITLE = "Price of accuracy"
+PAGE = "price.md"
+FROM_SOME = True
 
-SEDOV, WAVE = Study("price/sedov", "studies/sedov.toml"), Study("price/wave", "studies/wave_longitudinal.toml")
+KEPT = page.FOLDER / "price.json"
+PLAIN = "as the scene"
+TARGETS = (0.1, 0.03, 0.01, 0.003)
 
-PROBLEMS = [
-    # Its study, title, the scene's own settings, what counts as the error, and errors for which the cheapest setting is named.
-    (SEDOV, "Sedov, 3D: density, L1", "spline, eta 1.2, CFL 0.15, alpha 2, beta 4", lambda e: e["density_l1"], [0.1, 0.08, 0.07]),
-    (WAVE, "longitudinal wave, 3D: frequency and damping", "Wendland, eta 1.4, CFL 0.25, no viscosity",
-     lambda e: math.hypot(e["frequency"], e["damping"]), [0.02, 0.01, 0.005]),
-]
+KINDS = {
+    # Of inputs/studies/price/: title, what counts as the error, core-seconds.
+    "shock": ("Shock in gas: density, L1", 10),
+    "blast": ("Blast: density, L1", 130),
+    "wave": ("Elastic wave: frequency and damping", 40),
+    "plastic": ("Plastic wave: stress, L1", 500),
+    "compaction": ("Compaction wave: stress, L1", 630),
+    "vortex": ("Vortex: velocity, L1", 700),
+    "sand": ("Column of sand: run-out", 200),
+    "impact": ("Small impact: largest remnant", 1000),
+    "q_star": ("Search of Q*_D: the threshold", 1000),
+}
+STUDIES = {kind: Study(f"price/{kind}", f"studies/price/{kind}.toml", guess) for kind, (_, guess) in KINDS.items()}
 
 
 def runs():
-    return [SEDOV, WAVE]
+    return list(STUDIES.values())
 
 
-def curves(study, own, measure):
+def figures(study):
     """(spacing, core-seconds, error) of each run, by setting."""
-    found = {}
-    for name, row, summary in study.points():
-        label = f"as in the scene: {own}" if name == "as the scene" else name
-        found.setdefault(label, []).append((row["spacing"], summary["core_seconds"], measure(summary["errors"])))
-    return found
+    names, curves = [setting["name"] for setting in study["settings"]], {}
+    for row in study["points"]:
+        curves.setdefault(names[row["setting"]], []).append([row["spacing"], row["core_seconds"], row["error"]])
+    return {"curves": curves}
 
 
-def cost_at(points, error):
-    """Cost at which a setting reaches an error, on straight lines in the logarithms; nothing is extrapolated."""
-    points = sorted(points)
-    if points[0][1] <= error:
+def with_both_errors(study, result):
+    """Of a wave the error of its complex frequency counts: that of the frequency, and the damping."""
+    both = {row["number"]: math.hypot(summary["errors"]["frequency"], summary["errors"]["damping"]) for _, row, summary in study.points()}
+    return {**result, "points": [{**row, "error": both.get(row["number"])} for row in result["points"]]}
+
+
+def cost_at(curve, error):
+    """Core-seconds from which on all finer runs are within an error, on straight lines in the logarithms; nothing is extrapolated."""
+    points = [(cost, off) for _, cost, off in curve if off is not None]
+    good = len(points)
+    while good > 0 and points[good - 1][1] <= error:
+        good -= 1
+    if good == len(points):
+        return math.inf
+    if good == 0:
         return points[0][0]
-    for (c_0, e_0), (c_1, e_1) in zip(points, points[1:]):
-        if e_1 <= error < e_0:
-            share = math.log(e_0 / error) / math.log(e_0 / e_1)
-            return c_0 * (c_1 / c_0) ** share
-    return math.inf
+    (c_0, e_0), (c_1, e_1) = points[good - 1], points[good]
+    return c_0 * (c_1 / c_0) ** (math.log(e_0 / error) / math.log(e_0 / max(e_1, 1e-12)))
 
 
-def cheapest(settings, error):
-    costs = {label: cost_at([(cost, e) for _, cost, e in points], error) for label, points in settings.items()}
+def cheapest(curves, error):
+    """(core-seconds, setting) of the cheapest way to an error, and those of the scene as it is."""
+    costs = {name: cost_at(curve, error) for name, curve in curves.items()}
     best = min(costs, key=costs.get)
-    return f"{page.percent(error)}: {best}, {costs[best]:.2g} core-s" if costs[best] < math.inf else f"{page.percent(error)}: none of these"
+    return costs[best], best, costs[PLAIN]
+
+
+def goal(curves):
+    """(error of the scene as it is at its finest spacing, its cost, cost of the cheapest other setting that has this error, that setting)."""
+    _, cost, error = next(row for row in reversed(curves[PLAIN]) if row[2] is not None)
+    others = {name: cost_at(curve, error) for name, curve in curves.items() if name != PLAIN}
+    best = min(others, key=others.get)
+    return error, cost, others[best], best
+
+
+def section(kind, curves):
+    head = ["setting", *(f"error at {row[0]:.3g} m" for row in curves[PLAIN]), "core-s", *(f"core-s to {page.percent(t)}" for t in TARGETS)]
+    number = lambda cost: f"{cost:.2g}" if cost < math.inf else "–"
+    off = lambda error: "the reference" if error is None else page.percent(error)
+    lines = [[name, *(off(e) for *_, e in curve), ", ".join(number(c) for _, c, _ in curve), *(number(cost_at(curve, t)) for t in TARGETS)]
+             for name, curve in curves.items()]
+    words = []
+    for target in TARGETS:
+        cost, best, plain = cheapest(curves, target)
+        if cost < math.inf:
+            factor = "which the scene as it is does not reach" if plain == math.inf else f"{plain / cost:.2g} times cheaper than the scene as it is" if best != PLAIN else "the cheapest"
+            words.append(f"{page.percent(target)}: {best}, {factor}")
+    return f"## {KINDS[kind][0]}\n\n`inputs/studies/price/{kind}.toml`\n\n{page.table(head, lines)}\n\n{'; '.join(words)}."
 
 
 def write(found):
-    parts, panels = [], {}
-    for study, title, own, measure, given in PROBLEMS:
-        settings = curves(study, own, measure)
-        spacings = [spacing for spacing, *_ in next(iter(settings.values()))]
-        panels[title] = {label: [(cost, error) for _, cost, error in points] for label, points in settings.items()}
-        head = ["setting", *(f"error at {d:g} m" for d in spacings), *(f"core-s at {d:g} m" for d in spacings), "order"]
-        lines = [
-            [label, *(page.percent(e) for *_, e in points), *(f"{c:.2f}" for _, c, _ in points), f"{page.order(spacings, [e for *_, e in points]):.1f}"]
-            for label, points in settings.items()
-        ]
-        parts.append(f"**{title}** (`inputs/{study.file}`)\n\n{page.table(head, lines)}\n\n"
-                     f"Cheapest for an error of {'; '.join(cheapest(settings, error) for error in given)}.")
-    page.plot("price", panels, "core-seconds")
-    text = "\n\n".join(parts) + f"\n\n{NOTES}\n![Error against cost](price.png)"
+    wave = STUDIES["wave"]
+    found = {name: with_both_errors(wave, result) if name == wave.name else result for name, result in found.items()}
+    rows = kept.known(KEPT, runs(), found, figures)
+    known = {kind: rows[study.name]["curves"] for kind, study in STUDIES.items() if study.name in rows}
+    lines, reached = [], 0
+    for kind, curves in known.items():
+        error, cost, other, best = goal(curves)
+        reached += cost / other >= 3
+        lines.append([KINDS[kind][0], page.percent(error), f"{cost:.2g}", best if other < math.inf else "none", f"{other:.2g}" if other < math.inf else "–", f"{cost / other:.2g}"])
+    head = ["scene", "its error at the finest spacing", "core-s", "cheapest other way to that", "core-s", "times cheaper"]
+    draw(known)
+    text = [TEXT, page.table(head, lines), f"Three times and more: {reached} of {len(known)}.", "![Error against cost](price.png)",
+            *(section(kind, curves) for kind, curves in known.items())]
     return text, []
 
 
-NOTES = """One setting is changed at a time. The error of the wave is that of its complex frequency, so that damping counts. Where sums over
-the lattice are too large (spline, eta 1.2) their error cancels that of the resolution at one spacing; the error does not stay
-that small at finer ones.
-"""
+def draw(known):
+    figure, axes = plt.subplots(3, 3, figsize=(15, 14))
+    for axis, (kind, curves) in zip(axes.flat, known.items()):
+        for number, (name, curve) in enumerate(curves.items()):
+            points = [(cost, off) for _, cost, off in curve if off]
+            if points:
+                axis.loglog(*zip(*points), "k-o" if name == PLAIN else f"C{number}-" + "osv^D"[number % 5], markersize=4, label=name)
+        axis.set(title=KINDS[kind][0], xlabel="core-seconds", ylabel="error")
+        axis.grid(True, which="both", alpha=0.2)
+        axis.legend(fontsize=7)
+    for axis in axes.flat[len(known):]:
+        axis.axis("off")
+    figure.tight_layout()
+    page.save(figure, "price.png")
+
+
+TEXT = """# What accuracy costs
+
+Written by `scripts/validate price`; nothing is edited by hand. Error against core-seconds, on one rank of one thread, for each kind of scene with its viscosity as it
+is, and one thing changed at a time: limited reconstruction (`numerics.reconstruction`), a switch per particle (`numerics.viscosity_switch`), both, both with
+`numerics.density_relaxation`; a lower alpha; other kernels. A run counts as accurate only if all finer runs of its setting are; nothing is extrapolated.
+`sph-mpi --accuracy` chooses by such a study."""

@@ -1,8 +1,6 @@
 """Dust: compaction by a bead that falls, bouncing, fragmentation, as in Geretshauser et al. 2010, beside the paper and experiments."""
 
-import json
-
-from common import page
+from common import kept, page
 from validation.dust import bouncing, collisions, compaction, fragmentation, price, verdicts
 
 PAGE = "dust.md"
@@ -28,12 +26,8 @@ def figures(summary):
 
 
 def write(found):
-    kept = json.loads(KEPT.read_text()) if KEPT.exists() else {}
-    asked = {run.name: run.stamp() for run in runs()}
-    kept |= {name: {"of": asked[name], **figures(summary)} for name, summary in found.items()}
-    KEPT.write_text(json.dumps(dict(sorted(kept.items())), indent=1) + "\n")
-    known = {name: row for name, row in kept.items() if asked.get(name) == row["of"]}
-    text, failures = [INTRODUCTION.format(there=len(known), all=len(asked))], []
+    known = kept.known(KEPT, runs(), found, figures)
+    text, failures = [INTRODUCTION.format(there=len(known), all=len(runs()))], []
     for section in SECTIONS:
         parts, wrong = section.write(known)
         text += parts
