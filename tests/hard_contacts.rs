@@ -31,7 +31,7 @@ fn soft(sound: f64) -> String {
 }
 
 /// Largest |E - E_0| over the first kinetic energy, largest |L - L_0| over the scale of angular momentum, and the last totals.
-fn drifts<const D: usize>(hand: &mut ByHand<D>, end: f64) -> (f64, f64, Totals) {
+pub fn drifts<const D: usize>(hand: &mut ByHand<D>, end: f64) -> (f64, f64, Totals) {
     let first = hand.stepper.totals();
     let (mut energy, mut spin, mut last) = (0.0f64, 0.0f64, first.clone());
     for part in 1..=20 {
@@ -207,11 +207,8 @@ fn slow_balls_keep_their_angular_momentum() {
     });
 }
 
-/// Cold gas hits a ball of iron without strength, eight thousand times as dense: pairs of so different densities are told apart by
-/// default, and the corrected gradient comes with it. With the same shares for both, energy changes by half of what there is and more.
-#[test]
-fn thin_gas_flies_against_iron() {
-    const WIND: &str = r#"
+/// Cold gas hits a ball of iron without strength.
+pub const WIND: &str = r#"
 [[body]]
 name = "gas"
 shape = { box = { size = [2, 1, 1] } }
@@ -229,6 +226,10 @@ position = [3, 0, 0]
 [run]
 until = 1
 "#;
+
+/// Iron is eight thousand times as dense as this gas: pairs of so different densities are told apart by default, and the corrected gradient comes with it. With the same shares for both, energy changes by half of what there is and more.
+#[test]
+fn thin_gas_flies_against_iron() {
     ranks(1, "hard_contacts::thin_gas_flies_against_iron", |comm| {
         let drift = |changes: &[&str]| {
             let mut hand = ByHand::<3>::with(WIND, changes, comm, |_, _, _| {});

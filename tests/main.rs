@@ -28,6 +28,7 @@ mod hard_neighbours;
 mod hard_pores;
 mod hard_pores_shocks;
 mod hard_rubble;
+mod hard_viscosity;
 mod input;
 mod integrators;
 mod kept_gravity;

@@ -165,6 +165,15 @@ fn cases() -> Vec<Case> {
             6 + 6 + 1 + 10,
         ),
         case("+ two rates", "two_rates.fast = [\"left\"]", false, with(&TWO_RATES), reconstructed, 6 + 6 + 1 + 10),
+        // The divergence is there already.
+        case(
+            "+ viscosity by loading",
+            "material.basalt.viscosity.speed = \"loading\"",
+            false,
+            with(&[("loading_speed", 1)]),
+            reconstructed,
+            6 + 6 + 1 + 10,
+        ),
     ]
 }
 

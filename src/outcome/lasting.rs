@@ -124,8 +124,9 @@ mod tests {
 
     #[test]
     fn what_vanishes_does_not_fall_below_nothing() {
-        let (_, trend) = taken(|tau| (0.5 - tau / 1e3).max(0.001), 1.0);
-        assert!(trend.change >= -0.001 && trend.uncertainty <= TOLERANCE, "{trend:?}");
+        let share = |tau: f64| (0.5 - tau / 1e3).max(0.001);
+        let (time, trend) = taken(share, 1.0);
+        assert!(share(time - 50.0) + trend.change >= 0.0 && trend.uncertainty <= TOLERANCE, "{time} {trend:?}");
     }
 
     #[test]

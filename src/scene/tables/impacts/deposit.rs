@@ -86,7 +86,7 @@ mod tests {
     use crate::scene::Scene;
 
     const COLUMN: &str = "[[body]]\nname = \"sand\"\nshape = { box = { size = [2, 4, 3] } }\nposition = [1, 0, 1.5]\nmaterial = \"basalt\"\n\
-        spacing = 0.5\n[gravity]\nuniform = [0, 0, -9.81]\n[run]\nuntil = 1\n[deposit]\nbody = \"sand\"\n";
+        spacing = 0.1\nlattice = \"cubic\"\n[gravity]\nuniform = [0, 0, -9.81]\n[run]\nuntil = 1\n[deposit]\nbody = \"sand\"\n";
 
     fn parse(changes: &[&str]) -> crate::error::Result<Scene> {
         let changes: Vec<String> = changes.iter().map(|change| change.to_string()).collect();
