@@ -19,12 +19,11 @@ def impact(modulus, spacing=8, more=(), name=""):
     return Run(f"dust/fragments{name}_{modulus}_{spacing:g}um", SCENE, [*own, *more], guess=4500 * (8 / spacing) ** 4 * (modulus / 4.5) ** 0.5)
 
 
-COARSE = 12
+COARSE = 16
 SWEEP = {modulus: impact(modulus, COARSE) for modulus in PAPER}
-COARSEST = 16
-SPACINGS = {spacing: impact(4.5, spacing) for spacing in (COARSEST, COARSE, 8)}
+SPACINGS = {spacing: impact(4.5, spacing) for spacing in (COARSE, 12, 8)}
 TURNED = {seed: impact(4.5, COARSE, [f"aggregate.orientation={{ seed = {seed} }}"], f"_turned_{seed}") for seed in (1, 2, 3)}
-GAMMA = {gamma: impact(4.5, COARSEST, [] if gamma == 4 else [f"{SIRONO}.gamma={gamma}"], "" if gamma == 4 else f"_gamma_{gamma}") for gamma in (2, 3, 4, 5, 6)}
+GAMMA = {gamma: impact(4.5, COARSE, [] if gamma == 4 else [f"{SIRONO}.gamma={gamma}"], "" if gamma == 4 else f"_gamma_{gamma}") for gamma in (2, 3, 4, 5, 6)}
 
 CHOICE = 20
 """l_c of what is only compared with each other, um."""
@@ -59,8 +58,8 @@ def write(known):
     head = ["K_0, kPa", *HEAD, "paper: slope", "mu"]
     parts = [
         TEXT, page.table(["l_c, um", *head[1:]], spacings), f"Over the bulk modulus, at l_c = {COARSE} um:", page.table(head, lines),
-        "Other orientations of the lattice, K_0 = 4.5 kPa:", page.table(["seed", *HEAD], [[key, *cells(known.get(run.name))] for key, run in TURNED.items()]),
-        f"The exponent gamma, at {COARSEST} um:", page.table(["gamma", *HEAD], [[key, *cells(known.get(run.name))] for key, run in GAMMA.items()]),
+        f"Other orientations of the lattice, at {COARSE} um, K_0 = 4.5 kPa:", page.table(["seed", *HEAD], [[key, *cells(known.get(run.name))] for key, run in TURNED.items()]),
+        f"The exponent gamma, at {COARSE} um:", page.table(["gamma", *HEAD], [[key, *cells(known.get(run.name))] for key, run in GAMMA.items()]),
     ]
     parts += [CHOICE_TEXT, page.table(["choice", *HEAD], [[key, *cells(known.get(run.name))] for key, run in CHOICE_RUNS.items()])]
     draw(known)

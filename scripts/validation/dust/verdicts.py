@@ -73,7 +73,9 @@ def rows(known):
     yield line("table 1, 2D: depth of the peak with alpha = 2 over 0", ratio(thick, thin), 0.62 / 0.92, None)
     yield line("2D: power of depth over speed", slope([(v, of(known, run, "peak_depth")) for v, run in compaction.SPEED.items()]), 1.0, 1.0)
     slow, fast = (of(known, compaction.SPEED[v], "stopping_time") for v in (0.25, 1))
-    yield line("2D: stopping time at 1 m/s over 0.25 m/s", ratio(fast, slow), 1.0, 1.0)
+    lowest = slope([(v, of(known, run, "depth")) for v, run in compaction.SPEED.items()])
+    yield line("2D: stopping time at 1 m/s over 0.25 m/s", ratio(fast, slow), 1.0, 1.0,
+               why=f"the depth of the lowest point goes as v^{lowest:.2f}, and time as depth over speed" if lowest else "")
     small, large = (of(known, compaction.RADIUS[r], "stopping_time") for r in (0.5, 1.5))
     yield line("2D: stopping time, bead of 3 mm over 1 mm", ratio(large, small), None, 6.2 / 3.0,
                why="the depth of eq. 23 and the sine of eq. 22 make it 3 in theory")
