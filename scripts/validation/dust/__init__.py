@@ -40,4 +40,5 @@ INTRODUCTION = """# Dust
 Written by `scripts/validate dust`; nothing is edited by hand ({there} of {all} runs are there; `scripts/validate dust --list` tells what the others
 cost). Figures of the paper are those of Geretshauser et al. 2010, A&A 513, A58; experiments those of Guettler et al. 2009, Weidling et al.
 2009, Heisselmann et al. 2007. The paper's smoothing length is the whole support of the kernel, 2 h here: where h / l_c is
-written, it is the paper's. Depths below the first surface of the dust."""
+written, it is the paper's. Depths below the first surface of the dust. Core-seconds are those of the machine that made a run: one without
+AVX-512 takes two to three times as long as one with it."""

@@ -86,7 +86,7 @@ TEXT = """## Bouncing
 `inputs/dust_bouncing.toml`: an aggregate of 1 mm at 0.2 m/s on a rigid plate, l_c = 25 um. Experiments: 0.2, 95 % of the energy lost."""
 GAMMA_TEXT = """The exponent gamma of K = K_0 (rho / rho_i)^gamma, which the paper does not print (Sirono 2004 has 4), at 50 um:"""
 VARIANTS_TEXT = """Both variants of plasticity at 25 um. Pressure is the same by both on any path (a test); after unloading the moduli lag behind, and with them shear and
-the sound in viscosity. A bead's depth differs by half a per cent (above), the little that a bounce keeps by a third, at either spacing to
-the other side:"""
+the sound in viscosity. A bead's lowest point differs by half a per cent, its peak by 5 (above), the little that a bounce keeps by a third, at
+either spacing to the other side:"""
 CHOICE_TEXT = """What else the coefficient depends on, at 50 um. In the paper the plate has the sound of glass, 1400 m/s, in the viscosity of its pairs with
 dust; here it has none, and a larger alpha of the plate stands for it."""

@@ -69,6 +69,8 @@ def rows(known):
     inviscid = ratio(*(of(known, compaction.MODULUS_INVISCID[k], "depth") for k in (300, 2)))
     why = "viscosity grows with the sound of the dust" + (f"; without any the depths differ by {100 * (inviscid - 1):+.0f} %" if inviscid else "")
     yield line("2D: depth of the peak with K_0 = 300 kPa over 2 kPa", ratio(stiff, soft), 1.0, None, why=why)
+    at_once, late = (of(known, run, "peak_depth") for run in (compaction.plane("calibrated", compaction.FINE), compaction.FINE_VARIANT))
+    yield line("2D: depth of the peak, plasticity after unloading over at once", ratio(late, at_once), 1.0, None)
     thin, thick = (of(known, compaction.HARD_VISCOSITY[a], "peak_depth") for a in (0, 2))
     yield line("table 1, 2D: depth of the peak with alpha = 2 over 0", ratio(thick, thin), 0.62 / 0.92, None)
     yield line("2D: power of depth over speed", slope([(v, of(known, run, "peak_depth")) for v, run in compaction.SPEED.items()]), 1.0, 1.0)
