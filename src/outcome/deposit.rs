@@ -100,21 +100,21 @@ impl Deposit {
 }
 
 impl Question {
-    fn from_origin(&self, particle: &Particle) -> Vec3 {
+    fn offset(&self, particle: &Particle) -> Vec3 {
         particle.position - self.origin
     }
 
     fn out(&self, particle: &Particle) -> f64 {
-        let x = self.from_origin(particle);
+        let x = self.offset(particle);
         self.out.iter().flatten().map(|&axis| x[axis] * x[axis]).sum::<f64>().sqrt()
     }
 
     fn height(&self, particle: &Particle) -> f64 {
-        self.from_origin(particle).dot(&self.up)
+        self.offset(particle).dot(&self.up)
     }
 
     fn sector(&self, particle: &Particle) -> usize {
-        let x = self.from_origin(particle);
+        let x = self.offset(particle);
         match self.out {
             [Some(a), Some(b)] => {
                 let turn = libm::atan2(x[b], x[a]) / std::f64::consts::TAU;
