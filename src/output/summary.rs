@@ -210,7 +210,7 @@ pub struct Accuracy {
 pub struct Threshold {
     pub q_star_d: f64,
     pub q_star_rd: f64,
-    /// Uncertainty of Q*_D: half the bracket, residual of the fit, shift between the two times of evaluation, scatter between
+    /// Uncertainty of Q*_D: half the bracket, residual of the fit, shift to twice the time, scatter between
     /// realisations and drift of energy where an impact warns of it, combined.
     pub uncertainty: f64,
     pub uncertainty_of_q_star_rd: f64,

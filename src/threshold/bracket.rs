@@ -14,7 +14,7 @@ pub struct Point {
     pub q: f64,
     /// The largest remnant's share of that mass when the impact had settled: this one counts.
     pub remnant: f64,
-    /// The largest remnant's share at twice that time.
+    /// The largest remnant's share at twice that time, by its trend.
     pub remnant_later: f64,
 }
 

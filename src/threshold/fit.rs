@@ -6,7 +6,7 @@
 //! The uncertainty is the root of the sum of squares of
 //! - half the width of the bracket,
 //! - the standard error of the line's crossing, from its residuals (zero for fewer than three impacts),
-//! - the shift of the crossing between the two times of evaluation.
+//! - the shift of the crossing to twice the time, as the trends of remnants have it.
 
 use serde::{Deserialize, Serialize};
 
@@ -35,7 +35,7 @@ pub struct Uncertainty {
     pub bracket: f64,
     /// Standard error of the fitted crossing.
     pub residual: f64,
-    /// Shift of the crossing between the two times of evaluation.
+    /// Shift of the crossing to twice the time.
     pub shift: f64,
     /// Root of the sum of squares.
     pub combined: f64,
