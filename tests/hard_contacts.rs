@@ -227,7 +227,8 @@ position = [3, 0, 0]
 until = 1
 "#;
 
-/// Iron is eight thousand times as dense as this gas: pairs of so different densities are told apart by default, and the corrected gradient comes with it. With the same shares for both, energy changes by half of what there is and more.
+/// Iron is eight thousand times as dense as this gas: pairs of so different densities are told apart by default, and the corrected
+/// gradient comes with it. With the same shares for both, energy changes by half of what there is and more.
 #[test]
 fn thin_gas_flies_against_iron() {
     ranks(1, "hard_contacts::thin_gas_flies_against_iron", |comm| {

@@ -1,4 +1,5 @@
-//! Hard cases of viscosity that smooth flow does not feel. A comment says what the figure was without the cure.
+//! Hard cases of viscosity that smooth flow does not feel, held against plain viscosity. What the figures are with a cure taken out of
+//! the code has not been measured.
 
 use sph_mpi::domain::comm::Comm;
 use sph_mpi::math::Vec3;
@@ -34,8 +35,8 @@ fn ringing(changes: &[&str], comm: &Comm) -> f64 {
     (behind.iter().map(|u| (u / BEHIND - 1.0) * (u / BEHIND - 1.0)).sum::<f64>() / behind.len() as f64).sqrt()
 }
 
-/// What is carried to the middle is limited: by the smaller of two slopes, and where matter is compressed within h. With the mean of both
-/// slopes and without the latter gas behind the shock rings.
+/// What is carried to the middle is limited: by the smaller of two slopes, and where matter is compressed within h, so that gas behind the
+/// shock does not ring.
 #[test]
 fn a_shock_does_not_ring() {
     ranks(1, "hard_viscosity::a_shock_does_not_ring", |comm| {
