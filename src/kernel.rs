@@ -22,12 +22,50 @@ pub enum Kernel {
     WendlandC2,
 }
 
+impl Kernel {
+    /// W at a distance `r`, m, of two (1/m^2) or three (1/m^3) dimensions.
+    pub fn value(self, r: f64, h: f64, dimension: usize) -> f64 {
+        let q = r / h;
+        let shape = match self {
+            Self::CubicSpline => CubicSpline::value(q),
+            Self::WendlandC2 => WendlandC2::value(q),
+        };
+        self.normalisation(dimension) * shape / volume(h, dimension)
+    }
+
+    /// dW/dr, 1/m^3 or 1/m^4.
+    pub fn slope(self, r: f64, h: f64, dimension: usize) -> f64 {
+        let q = r / h;
+        let shape = match self {
+            Self::CubicSpline => CubicSpline::slope(q),
+            Self::WendlandC2 => WendlandC2::slope(q),
+        };
+        self.normalisation(dimension) * shape / (volume(h, dimension) * h)
+    }
+
+    fn normalisation(self, dimension: usize) -> f64 {
+        match (self, dimension) {
+            (Self::CubicSpline, 2) => CubicSpline::normalisation::<2>(),
+            (Self::CubicSpline, _) => CubicSpline::normalisation::<3>(),
+            (Self::WendlandC2, 2) => WendlandC2::normalisation::<2>(),
+            (Self::WendlandC2, _) => WendlandC2::normalisation::<3>(),
+        }
+    }
+}
+
+/// h^d.
+fn volume(h: f64, dimension: usize) -> f64 {
+    if dimension == 2 { h * h } else { h * h * h }
+}
+
 /// A kernel as the pair loop needs it, without its factor s / h^d.
 pub trait Shape: Copy {
     /// s for dimension D.
     fn normalisation<const D: usize>() -> f64;
     /// h^d W / s.
     fn value(q: f64) -> f64;
+    /// h^(d+1) dW/dr / s.
+    fn slope(q: f64) -> f64;
     /// h^d W / s for eight values of q.
     ///
     /// # Safety
@@ -51,6 +89,10 @@ impl Shape for CubicSpline {
     fn value(q: f64) -> f64 {
         let (a, b) = ((2.0 - q).max(0.0), (1.0 - q).max(0.0));
         0.25 * a * a * a - b * b * b
+    }
+    fn slope(q: f64) -> f64 {
+        let (a, b) = ((2.0 - q).max(0.0), (1.0 - q).max(0.0));
+        3.0 * b * b - 0.75 * a * a
     }
     #[inline(always)]
     unsafe fn value_lanes<L: Lanes>(q: L) -> L {
@@ -81,6 +123,10 @@ impl Shape for WendlandC2 {
     fn value(q: f64) -> f64 {
         let a = (1.0 - 0.5 * q).max(0.0);
         a * a * a * a * (2.0 * q + 1.0)
+    }
+    fn slope(q: f64) -> f64 {
+        let a = (1.0 - 0.5 * q).max(0.0);
+        -5.0 * q * a * a * a
     }
     #[inline(always)]
     unsafe fn value_lanes<L: Lanes>(q: L) -> L {

@@ -105,7 +105,7 @@ fn what_makes_no_sense_of_dust_is_refused() {
         ("aggregate.filling_factor=1.1", "filling_factor is 1.1", "above 0, 1 at most"),
         ("plate.filling_factor=0.3", "`glass` is no dust", "a material with eos.sirono"),
         ("plate.density=2e6", "density is 2000000 kg/m^3", "1e-3 to 1e6 kg/m^3 of a rigid body"),
-        ("material.silica_dust.eos.sirono.gamma=1", "gamma is 1", "numbers above 1"),
+        ("material.silica_dust.eos.sirono.gamma=1", "gamma is 1", "above 1, 24 at most"),
         (
             "material.silica_dust.eos.sirono.plasticity=3",
             "one of its words or tables",

@@ -178,3 +178,24 @@ fn no_rank_outlives_its_launcher() {
         std::thread::sleep(Duration::from_millis(10));
     }
 }
+
+/// Steps that are too long: energy comes from nowhere, and steps become ever shorter. Such a run would never end.
+#[test]
+fn a_run_that_blows_up_ends() {
+    let dir = tempfile::tempdir().expect("a temporary directory");
+    let coarse = [
+        "driver.spacing=0.01",
+        "driver.size=[0.6, 0.13856]",
+        "driver.position=[-0.3, 0.06928]",
+        "driven.spacing=0.01",
+        "driven.size=[0.6, 0.13856]",
+        "driven.position=[0.3, 0.06928]",
+        "domain.periodic.y=[0, 0.13856]",
+        "numerics.cfl=1",
+    ];
+    let more: Vec<&str> = coarse.iter().flat_map(|set| ["--set", set]).collect();
+    let output = Launch::in_directory(2, dir.path(), include_str!("../inputs/exact/sod.toml"), &more).run();
+    let output = output.expect_code(FAILED);
+    let says = ["the time step has collapsed", "energy drift", "blown up (change: a smaller numerics.cfl"];
+    assert_told(&output, &dir.path().join("run/log.txt"), &says);
+}

@@ -68,7 +68,7 @@ const VARIABLE_H: [(&str, usize); 2] = [("smoothing_length", 1), ("build_smoothi
 /// In the record with them: beta, as materials may differ in it.
 const SLOPES: [(&str, usize); 2] = [("slope_diagonal", 3), ("slope_off_diagonal", 3)];
 const SWITCH: [(&str, usize); 2] = [("viscosity_switch", 1), ("divergence", 1)];
-const RELAXATION: [(&str, usize); 1] = [("density_relaxation", 1)];
+const RELAXATION: [(&str, usize); 2] = [("density_relaxation", 1), ("packing_at_start", 1)];
 const TWO_RATES: [(&str, usize); 4] = [("fast", 1), ("near_fast", 1), ("fast_acceleration", 3), ("fast_heating", 1)];
 
 /// A scene and what it may hold.

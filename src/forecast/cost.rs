@@ -544,4 +544,22 @@ mod tests {
         let (end, _) = end(&scene);
         assert!(end > 3.0 * crossing && end < 3.0 * crossing + 4e4 / 5e3, "{end} {crossing}");
     }
+    /// A gas without pressure, but for the heat in its middle, where W = 1 / (pi h^3).
+    #[test]
+    fn a_blast_limits_the_first_step() {
+        let text = include_str!("../../inputs/exact/sedov.toml");
+        let scene = Scene::parse("sedov.toml", text, &[]).expect("a scene");
+        let constants = scene.bodies.iter().map(|body| body.constants(1000, scene.numerics.eta)).collect();
+        let plan = setup::plan(&scene, constants).expect("a plan");
+        let forecast = StepForecast::new(&scene, &plan);
+        let (gamma, h_of_blast) = (5.0 / 3.0, 0.1f64);
+        let heat = 1.0 / (std::f64::consts::PI * h_of_blast.powi(3));
+        let sound = (gamma * (gamma - 1.0) * heat).sqrt();
+        let exact = 0.15 * plan.constants[0].smoothing_length / (sound * (1.0 + 0.6 * 2.0));
+        assert!(
+            (forecast.first / exact - 1.0).abs() < 1e-12 && forecast.steps == (0.3 / exact).ceil(),
+            "{}",
+            forecast.first
+        );
+    }
 }

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 
 use crate::domain::comm::Comm;
-use crate::kernel::{CubicSpline, Kernel, SUPPORT, Shape, WendlandC2};
+use crate::kernel::{Kernel, SUPPORT};
 use crate::math::{ExactSum, Vec3};
 
 /// Points of a profile per spacing of the dust.
@@ -81,19 +81,6 @@ impl Line {
     fn depth_of(&self, point: usize) -> f64 {
         self.ends[0] + point as f64 * self.step()
     }
-
-    /// W, 1/m^3 (1/m^2 in 2D).
-    fn weight(&self, distance: f64, h: f64) -> f64 {
-        let q = distance / h;
-        let (shape, normalisation) = match (self.kernel, self.dimension) {
-            (Kernel::CubicSpline, 2) => (CubicSpline::value(q), CubicSpline::normalisation::<2>()),
-            (Kernel::CubicSpline, _) => (CubicSpline::value(q), CubicSpline::normalisation::<3>()),
-            (Kernel::WendlandC2, 2) => (WendlandC2::value(q), WendlandC2::normalisation::<2>()),
-            (Kernel::WendlandC2, _) => (WendlandC2::value(q), WendlandC2::normalisation::<3>()),
-        };
-        let volume = if self.dimension == 2 { h * h } else { h * h * h };
-        normalisation * shape / volume
-    }
 }
 
 /// A point of a profile.
@@ -134,7 +121,7 @@ impl Profile {
             let place = |depth: f64| ((depth - line.ends[0]) / line.step()).clamp(0.0, points as f64);
             for point in place(depth - reach).floor() as usize..(place(depth + reach).ceil() as usize + 1).min(points) {
                 let along = line.depth_of(point) - depth;
-                let weight = line.weight((aside + along * along).sqrt(), h);
+                let weight = line.kernel.value((aside + along * along).sqrt(), h, line.dimension);
                 let share = particle.volume * particle.filling_factor * weight;
                 sums[2 * point + 1].add(share);
                 if particle.of != Of::Body {

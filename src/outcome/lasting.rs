@@ -35,6 +35,13 @@ pub struct Trend {
     pub uncertainty: f64,
 }
 
+impl Trend {
+    /// Whether it says what the remnant will be.
+    pub fn lasts(&self) -> bool {
+        self.uncertainty <= TOLERANCE
+    }
+}
+
 /// Evaluations of the largest remnant from time to time; part of a checkpoint.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Lasting {
@@ -72,7 +79,7 @@ impl Lasting {
             self.evaluations.pop_front();
         }
         let is_long_enough = self.evaluations[0].0 <= tau / WINDOW;
-        let lasts = || self.trend().is_some_and(|trend| trend.uncertainty <= TOLERANCE);
+        let lasts = || self.trend().as_ref().is_some_and(Trend::lasts);
         tau >= LATEST * begin || (is_long_enough && lasts())
     }
 
@@ -136,6 +143,6 @@ mod tests {
     fn jumps_are_part_of_the_uncertainty() {
         // Ten per cent of all come and go: no line tells whether they are there at twice the time.
         let (time, trend) = taken(|tau| if (tau / 7.0).floor() % 2.0 == 0.0 { 0.5 } else { 0.4 }, 1.0);
-        assert!(time >= 850.0 && trend.uncertainty > 0.09, "{time} {trend:?}");
+        assert!(time >= 850.0 && trend.uncertainty > 0.09 && !trend.lasts(), "{time} {trend:?}");
     }
 }

@@ -17,8 +17,8 @@
 //! by [`RIGID`], drops out, so that p = rho (alpha c |mu| + 2 beta mu^2) with the other's rho, alpha and c. Between two rigid bodies
 //! the factors cancel in all but beta mu^2, which is left out there.
 //!
-//! A rigid body that does not adhere has [`LOOSE`] times its density: w = 0 on both sides, and a pressure of the contact alone acts
-//! between them, see `step::contact`.
+//! A rigid body that does not adhere has [`LOOSE`] times its density: w = 0 on both sides, and only viscosity and a contact that is no
+//! pair term (`step::contact`) act between them.
 
 use super::Pair;
 use crate::math::lanes::Lanes;
@@ -37,6 +37,11 @@ const DENSEST_THAT_ADHERES: f64 = 1e25;
 #[inline(always)]
 pub unsafe fn beta_of<L: Lanes>(beta: L, rho_i: L, rho_j: L) -> L {
     unsafe { beta.keep(rho_i.min(rho_j).less(L::splat(DENSEST))) }
+}
+
+/// Whether the record of a particle with this density is that of a rigid body that does not adhere.
+pub fn is_loose(density: f64) -> bool {
+    density > DENSEST_THAT_ADHERES
 }
 
 /// 1 where one of two particles deforms and the other belongs to a rigid body that does not adhere, 0 elsewhere.

@@ -13,6 +13,7 @@ type Loop = unsafe fn(&Rows, &Constants, Range<usize>, &mut [RowSums]);
 /// The pair loop of a run. Its layout is that of the compiled form, so that records and their reader cannot differ.
 #[derive(Clone, Copy)]
 pub struct PairLoop {
+    pub kernel: Kernel,
     constants: Constants,
     compiled: Compiled,
 }
@@ -31,7 +32,7 @@ impl PairLoop {
 
     /// For tests that compare instruction sets; the processor must have `width`.
     pub fn with_width(dimension: usize, terms: Terms, kernel: Kernel, constants: Constants, width: Width) -> Self {
-        Self { constants, compiled: choose(dimension, terms, kernel, width) }
+        Self { kernel, constants, compiled: choose(dimension, terms, kernel, width) }
     }
 
     /// Layout of the records that it reads.

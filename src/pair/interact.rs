@@ -119,11 +119,10 @@ pub unsafe fn interact<L: Lanes, F: Form, const D: usize>(
 ) {
     unsafe {
         let mut meeting = meet::<L, F, D>(i, j, sums);
-        let mut resistance = resist::<L, F, D>(&meeting, fixed, sums);
+        let resistance = resist::<L, F, D>(&meeting, fixed, sums);
         find_slope::<L, F, D>(&mut meeting, fixed, resistance.r_inverse);
         if F::TERMS.contrast() {
-            let [pressure, around] = touch::<L, F, D>(&mut meeting, fixed, sums);
-            resistance.pressure = resistance.pressure.add(pressure);
+            let around = touch::<L, F, D>(&mut meeting, fixed, sums);
             add_moment(&meeting.pair, &contrast::straining(around, &meeting.pair), sums);
         }
         let pair = &meeting.pair;
@@ -158,7 +157,7 @@ struct Meeting<'a, L: Lanes, const D: usize> {
 }
 
 /// Contact with rigid bodies that do not adhere (`step::contact`): sums how much of their surroundings they fill, takes their pairs out of
-/// strain and stress, and returns the pressure of these pairs, Pa, and the shares of all in the moment.
+/// strain and stress, and returns the shares of all in the moment.
 ///
 /// # Safety
 /// As for [`Lanes`].
@@ -167,21 +166,20 @@ unsafe fn touch<L: Lanes, F: Form, const D: usize>(
     meeting: &mut Meeting<L, D>,
     fixed: &Fixed<L>,
     sums: &mut Sums<L, D>,
-) -> [L; 2] {
+) -> L {
     unsafe {
         let layout = F::LAYOUT;
         let Meeting { i, j, pair, h_inverse: [g_i, g_j], shares, .. } = meeting;
         let (loose, any) = contrast::loose(i.half(layout.density()), j.half(layout.density()));
         if !any {
-            return [loose, shares[0]];
+            return shares[0];
         }
         let values = value::<L, F, D>(pair.r, *g_i).add(value::<L, F, D>(pair.r, *g_j));
         sums.fill = values.mul(fixed.norm).mul(loose).fma(j.at(layout.volume()), sums.fill);
         sums.filling = loose.mul(pair.slope).fma(pair.v_dot_x, sums.filling);
         let others = L::splat(1.0).sub(loose);
         *shares = [shares[0].mul(others), shares[1].mul(others)];
-        let pressure = i.half(layout.contact()).add(j.half(layout.contact())).mul(loose);
-        [pressure, shares[0].add(loose)]
+        shares[0].add(loose)
     }
 }
 
@@ -226,7 +224,7 @@ unsafe fn meet<'a, L: Lanes, F: Form, const D: usize>(
 /// Viscosity of a pair.
 struct Resistance<L: Lanes> {
     r_inverse: L,
-    /// p_ij, Pa, of viscosity and of contact.
+    /// p_ij, Pa.
     pressure: L,
 }
 

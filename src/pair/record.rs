@@ -183,14 +183,9 @@ impl Layout {
         }
     }
 
-    /// Pressure by which rigid bodies that do not adhere push, Pa, where densities may differ by orders of magnitude.
-    pub const fn contact(&self) -> usize {
-        self.axial() + self.axial_words()
-    }
-
     /// Numbers of a record; a ghost record sends just these.
     pub const fn words(&self) -> usize {
-        (self.contact() + self.terms.contrast() as usize).div_ceil(2)
+        (self.axial() + self.axial_words()).div_ceil(2)
     }
 
     /// Numbers from one record to the next: whole lines of 64 bytes.

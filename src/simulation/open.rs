@@ -121,6 +121,7 @@ impl<'a, const D: usize> Run<'a, D> {
             reaccumulated: None,
             late: None,
             vibration: Vec::new(),
+            most_filling: 0.0,
             outcome: None,
             crater: None,
             outcome_time: 0.0,

@@ -28,12 +28,16 @@ pub fn crossing(scene: &Scene) -> f64 {
     2.0 * largest / sound_speed(scene, scene.impact.as_ref().map_or(0, |impact| impact.target))
 }
 
-/// Longitudinal speed of sound of a body at the start, m/s; of a rigid body that of its contact.
+/// Longitudinal speed of sound of a body at the start, m/s, where it is hottest; of a rigid body that of its contact.
 pub fn sound_speed(scene: &Scene, body: usize) -> f64 {
     let body = &scene.bodies[body];
     match body.rigid {
         Some(rigid) => rigid.sound_speed,
-        None => scene.materials[body.material].sound_speed(body.density * body.distention, body.internal_energy),
+        None => {
+            let heat = body.blast.map_or(0.0, |blast| blast.peak(body.dimension) / body.density);
+            let material = &scene.materials[body.material];
+            material.sound_speed(body.density * body.distention, body.internal_energy + heat)
+        }
     }
 }
 
@@ -55,4 +59,11 @@ pub fn free_fall_time(scene: &Scene) -> f64 {
 pub fn binding(scene: &Scene) -> f64 {
     let target = target(scene);
     G * target.whole_mass() * target.whole_mass() / target.shape.outer_radius()
+}
+
+/// Whether energy is accounted for: cold matter does not record what it takes up.
+pub fn has_balance(scene: &Scene) -> bool {
+    let mut deforming = scene.bodies.iter().filter(|body| body.rigid.is_none()).peekable();
+    // What rigid bodies take up by their contact is cold, too, and recorded where others have heat.
+    deforming.peek().is_some() && deforming.all(|body| !scene.materials[body.material].eos.law().is_cold())
 }

@@ -40,6 +40,7 @@ pub struct Plan {
     pub constants: Vec<BodyConstants>,
     pub motions: Option<Motions>,
     pub rigid: Option<RigidMatter>,
+    pub contact: Option<Contact>,
     pub gravity: Option<Attraction>,
     pub two_rates: Option<RateSettings>,
     pub divergence: Option<Column<f64>>,
@@ -154,9 +155,7 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
     if scene.numerics.reconstruction {
         Slopes::declare(&mut registry);
     }
-    if view.standing.contains(&contrast::LOOSE) {
-        Contact::declare(&mut registry);
-    }
+    let contact = view.standing.contains(&contrast::LOOSE).then(|| Contact::declare(&mut registry));
     let integrator = integrator(scene, &mut registry, &view)?;
     let two_rates = scene.two_rates.as_ref().map(|rates| RateSettings {
         bodies: rates.fast.clone(),
@@ -172,6 +171,7 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
         constants,
         motions,
         rigid,
+        contact,
         gravity,
         two_rates,
         divergence,
@@ -345,6 +345,7 @@ impl Plan {
             integrator: self.integrator,
             motions: self.motions,
             rigid: self.rigid,
+            contact: self.contact,
             gravity: self.gravity,
             periods: scene.periods,
             two_rates: self.two_rates,
@@ -370,7 +371,7 @@ impl Heated<'_> {
     /// Adds the energy of the blast to the particles from `first` on, those of the body; the sum over all ranks is exact to
     /// rounding. Collective.
     fn heat(&self, columns: &mut Columns, first: usize, position: Column<Vec3>, energy: Column<f64>, comm: &Comm) {
-        let h = 0.5 * self.blast.radius;
+        let h = self.blast.smoothing_length();
         let shares: Vec<f64> = (first..columns.len())
             .map(|i| {
                 let r = columns.get(position, i) - Vec3::from(self.body.centre);

@@ -32,6 +32,9 @@ pub struct Conservation {
     pub initial_angular_momentum: [f64; 3],
     /// Largest |E - E0|, J.
     pub energy: f64,
+    /// Largest E - E0, J.
+    #[serde(default)]
+    pub gain: f64,
     /// Largest |p - p0| over sum m |v|.
     pub momentum: f64,
     /// Largest |L - L0| over sum m |x| |v|; meaningful in open space without prescribed motion only.
@@ -62,6 +65,7 @@ impl Conservation {
         let off = |a: [f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
         let share = |off: f64, scale: f64| if scale > 0.0 { off / scale } else { off };
         self.energy = self.energy.max((now.balance() - self.initial_energy).abs());
+        self.gain = self.gain.max(now.balance() - self.initial_energy);
         let momentum = share(off(now.momentum_balance(time).into(), &self.initial_momentum), now.momentum_scale);
         self.momentum = self.momentum.max(momentum);
         let turn = off(now.angular_momentum.into(), &self.initial_angular_momentum);
@@ -112,6 +116,9 @@ pub struct RunState {
     /// free fall.
     #[serde(default)]
     pub vibration: Vec<[f64; 2]>,
+    /// Largest filling factor of dust at any line of the history; zero without dust.
+    #[serde(default)]
+    pub most_filling: f64,
     /// A body that falls into dust, where the scene asks for it.
     #[serde(default)]
     pub intrusion: Option<Intrusion>,

@@ -1,11 +1,12 @@
 //! The loop over steps: when to write, signals, and whether the outcome has settled.
 
+use super::collapse;
 use super::due::{self, NextStep};
-use super::results::summary::has_balance;
 use super::run::{Ended, Options, Run, RunReport};
-use super::scales::{first_contact, free_fall_time};
+use super::scales::{first_contact, free_fall_time, has_balance};
 use crate::domain::comm::Comm;
 use crate::error::{Error, Result};
+use crate::material::dust::FILLING_FACTOR;
 use crate::outcome::lasting::Lasting;
 use crate::outcome::restitution::Bounce;
 use crate::output::publish::replace_text;
@@ -52,7 +53,7 @@ impl<'a, const D: usize> Run<'a, D> {
                 Err(failure) => return Err(self.go_back(&failure)),
             };
             let steps = self.stepper.state.step;
-            self.warn_of_collapse();
+            self.watch_collapse()?;
             self.follow_fall()?;
             if steps % self.scene.output.history_every == 0 {
                 self.note_totals()?;
@@ -156,20 +157,27 @@ impl<'a, const D: usize> Run<'a, D> {
         Error { what: error.what + &continuation, ..error }
     }
 
-    /// Names the particle that makes the time step collapse.
-    fn warn_of_collapse(&mut self) {
-        if let Some(ratio) = self.collapse.note(self.stepper.state.next) {
-            self.limit = self.stepper.tightest_limit();
-            if self.comm.is_root() {
-                tracing::warn!("the time step has collapsed to {ratio:.1e} of the largest: {}", self.describe());
-            }
+    /// Names the particle that makes the time step collapse, and ends a run that has blown up.
+    fn watch_collapse(&mut self) -> Result<()> {
+        let Some(ratio) = self.collapse.note(self.stepper.state.next) else { return Ok(()) };
+        self.limit = self.stepper.tightest_limit();
+        let drift = if has_balance(self.scene) { self.state.conservation.energy_drift() } else { 0.0 };
+        let what = format!("the time step has collapsed to {ratio:.1e} of the largest: {}", self.describe());
+        if collapse::is_hopeless(ratio, drift) {
+            let remedy = "the motion has blown up (change: a smaller numerics.cfl, more viscosity)";
+            return Err(Error::new(format!("{what}; {remedy}")).at(format!("step {}", self.stepper.state.step)));
         }
+        if self.comm.is_root() {
+            tracing::warn!("{what}");
+        }
+        Ok(())
     }
 
     pub(super) fn note_totals(&mut self) -> Result<()> {
         self.totals = self.stepper.totals();
         self.state.conservation.note(&self.totals, self.stepper.state.time);
         self.sample_vibration();
+        self.note_filling();
         self.follow_bounce();
         self.write_history();
         let time = self.stepper.state.time;
@@ -189,6 +197,19 @@ impl<'a, const D: usize> Run<'a, D> {
             true => self.watch_remnant(),
             false => Ok(()),
         }
+    }
+
+    /// The largest filling factor of dust, where there is any. Collective.
+    fn note_filling(&mut self) {
+        let columns = &self.stepper.columns;
+        let Some(filling) = columns.registry.find::<f64>(FILLING_FACTOR) else { return };
+        // Of what is no dust it is 1.
+        let id = self.stepper.settings.view.core.id;
+        let is_dust = |i: usize| self.scene.materials[self.scene.bodies[columns.get(id, i).body()].material].is_dust();
+        let dust = (0..columns.len()).filter(|&i| is_dust(i)).map(|i| columns.get(filling, i));
+        let mut most = [dust.fold(self.state.most_filling, f64::max)];
+        self.comm.all_max(&mut most);
+        self.state.most_filling = most[0];
     }
 
     fn sample_vibration(&mut self) {

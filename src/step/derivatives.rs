@@ -24,6 +24,8 @@ pub struct Derivatives<'a> {
     pub chunk: &'a Chunk<'a>,
     pub moment: &'a Moment,
     pub rigid: &'a [RigidBody],
+    /// The scene's body of each slot, where rigid bodies are touched.
+    pub owners: &'a [u16],
 }
 
 impl Derivatives<'_> {
@@ -40,6 +42,7 @@ impl Derivatives<'_> {
         }
         self.find_flow(rows, workspace);
         workspace.rates.clear();
+        self.push_apart(rows, workspace);
         if let Some(gravity) = &settings.gravity {
             gravity.add(chunk, self.moment.gravity_age, self.registry.dimension, &workspace.rates);
         }
@@ -142,7 +145,7 @@ impl Derivatives<'_> {
         let (chunk, core, dimension) = (self.chunk, &view.core, self.registry.dimension);
         let sound_speed = chunk.view(core.sound_speed);
         let ids = chunk.view(core.id);
-        let contact = self.settings.packer.contact.as_ref();
+        let contact = self.settings.contact.as_ref();
         let mut best = damping.map_or((f64::INFINITY, 0, Limit::CFL), |held| (held.dt, held.particle, Limit::MOTION));
         for k in 0..chunk.len() {
             let body = workspace.bodies[k] as usize;
@@ -152,8 +155,11 @@ impl Derivatives<'_> {
             let sums = &workspace.sums[k];
             // A particle without neighbours exchanges no signals, however hot it is.
             let alone = sums.neighbours == 0;
-            let swing = contact.map_or(0.0, |contact| if view.is_rigid(body) { 0.0 } else { contact.speed(chunk, k) });
-            let sound = sound_speed.get(k) * swing.max(1.0);
+            let sound = sound_speed.get(k);
+            let swing = contact
+                .filter(|_| !view.is_rigid(body))
+                .map_or(0.0, |contact| contact.speed(chunk, k, sums, h / sound));
+            let sound = sound * swing.max(1.0);
             let cfl = time_step::cfl(*courant, h, sound, view.viscosity(chunk, k, body), sums.approach);
             let cfl = if alone { f64::INFINITY } else { cfl };
             let acceleration = time_step::acceleration(*courant, h, a2);

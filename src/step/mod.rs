@@ -25,6 +25,7 @@ pub mod slopes;
 pub mod stepper;
 pub mod switch;
 pub mod time_step;
+mod touching;
 pub mod workers;
 pub mod workspace;
 

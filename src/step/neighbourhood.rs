@@ -67,6 +67,8 @@ pub struct Neighbourhood<const D: usize> {
     fast_size: ListSize,
     /// Column of those that are fast.
     fast: Option<Column<f64>>,
+    /// The scene's body of each slot, where rigid bodies are touched.
+    owners: Option<Vec<u16>>,
     /// Most bytes that a list has held.
     list_bytes: usize,
 }
@@ -92,6 +94,7 @@ impl<const D: usize> Neighbourhood<D> {
             chosen: None,
             fast_size: ListSize::default(),
             fast: settings.two_rates.as_ref().map(|rates| rates.columns.fast),
+            owners: settings.contact.map(|_| Vec::new()),
             list_bytes: 0,
         }
     }
@@ -183,12 +186,21 @@ impl<const D: usize> Neighbourhood<D> {
                 columns.set(rates.columns.near, i, f64::from(near));
             }
         }
+        if let Some(owners) = &mut self.owners {
+            owners.clear();
+            owners.extend(local.places.iter().map(|place| ParticleId(place.id).body() as u16));
+        }
         local.forget_places();
         self.list_size = ListSize {
             entries: *self.list.offsets.last().unwrap_or(&0) as f64,
             particles: (self.list.offsets.len() - 1) as f64,
         };
         self.list_bytes = self.list_bytes.max(self.list.bytes());
+    }
+
+    /// The scene's body of each slot, where rigid bodies are touched; empty elsewhere.
+    pub fn owners(&self) -> &[u16] {
+        self.owners.as_deref().unwrap_or(&[])
     }
 
     /// Releases the list's memory.

@@ -3,7 +3,6 @@
 
 use std::ops::Range;
 
-use super::contact::Contact;
 use super::slopes::Slopes;
 use crate::material::{ParticleView, Viscosity};
 use crate::math::lanes::LANES;
@@ -22,8 +21,6 @@ pub struct Packer {
     pub moments: Option<Moments>,
     /// Where viscosity is reconstructed.
     pub slopes: Option<Slopes>,
-    /// Where rigid bodies do not adhere.
-    pub contact: Option<Contact>,
     /// Strength epsilon of the artificial stress.
     epsilon: f64,
     /// Spacing over smoothing length, to the power of the dimension, times two: V_max / h^d.
@@ -90,7 +87,6 @@ impl Packer {
             layout: *layout,
             moments: Moments::find(registry),
             slopes: Slopes::find(registry),
-            contact: Contact::find(registry),
             epsilon,
             most_volume: 2.0 / eta.powi(registry.dimension as i32),
             eta,
@@ -115,7 +111,7 @@ impl Packer {
             let eight = start..range.end.min(start + LANES);
             let (mut stresses, mut moments) = ([[0.0; LANES]; 6], [[0.0; LANES]; 6]);
             for (k, i) in eight.clone().enumerate() {
-                let stress = self.pack_one(columns, i, dt, record(i));
+                let stress = self.pack_one(columns, i, record(i));
                 if let Some(known) = &self.moments {
                     spread(&stress, k, &mut stresses);
                     spread(&known.expected(columns, i, dt), k, &mut moments);
@@ -133,7 +129,7 @@ impl Packer {
     }
 
     /// Writes all but w, and returns the stress that acts on neighbours, Pa.
-    fn pack_one(&self, columns: &Columns, i: usize, dt: f64, record: &mut [f64]) -> Sym {
+    fn pack_one(&self, columns: &Columns, i: usize, record: &mut [f64]) -> Sym {
         let (layout, view) = (&self.layout, &self.view);
         let body = columns.get(view.core.id, i).body();
         let constants = &view.constants[body];
@@ -159,11 +155,6 @@ impl Packer {
         }
         if let Some(slopes) = &self.slopes {
             write_halves(layout, &slopes.of(columns, i), layout.slope(), record);
-        }
-        if let Some(contact) = &self.contact {
-            let push = contact.push(columns, i, dt);
-            let c = columns.get(view.core.sound_speed, i);
-            set_half(record, layout.contact(), if push > 0.0 { push * density * c * c } else { 0.0 });
         }
         if !layout.terms.tensor() {
             record[layout.stress()] = -view.acting_pressure(columns, i, body);

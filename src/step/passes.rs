@@ -16,6 +16,8 @@ pub struct Passes<'a> {
     pub registry: &'a Registry,
     /// The rigid bodies at the moment of the stage.
     pub rigid: &'a [RigidBody],
+    /// The scene's body of each slot, where rigid bodies are touched.
+    pub owners: &'a [u16],
 }
 
 impl Passes<'_> {
@@ -63,15 +65,15 @@ impl Passes<'_> {
     /// Evaluates a chunk and hands its rates to the integrator, unless one of them is not finite.
     pub fn evaluate(&self, chunk: &Chunk, rows: &Rows, moment: &Moment, workspace: &mut Workspace) {
         self.fill_bodies(chunk, workspace);
-        let Self { settings, registry, rigid } = *self;
+        let Self { settings, registry, rigid, owners } = *self;
         if let Some(relaxation) = settings.relaxation.filter(|_| moment.stage == 0 && is_due(moment.step)) {
             let (layout, view) = (settings.pair_loop.layout(), &settings.view);
             match registry.dimension {
-                2 => relaxation.measure::<2>(chunk, rows, layout, view),
-                _ => relaxation.measure::<3>(chunk, rows, layout, view),
+                2 => relaxation.measure::<2>(chunk, rows, layout, view, moment.step == 0),
+                _ => relaxation.measure::<3>(chunk, rows, layout, view, moment.step == 0),
             }
         }
-        let derivatives = Derivatives { settings, registry, chunk, moment, rigid };
+        let derivatives = Derivatives { settings, registry, chunk, moment, rigid, owners };
         if !derivatives.evaluate(rows, workspace) {
             return;
         }
@@ -85,13 +87,6 @@ impl Passes<'_> {
             for (k, sums) in workspace.sums[..chunk.len()].iter().enumerate() {
                 let known = is_corrected(layout, sums) && !view.is_rigid(workspace.bodies[k] as usize);
                 slopes.keep(chunk, k, view, known.then_some(&workspace.flow[k].velocity_gradient));
-            }
-        }
-        if let Some(contact) = self.settings.packer.contact.as_ref().filter(|_| moment.stage == 0) {
-            for (k, sums) in workspace.sums[..chunk.len()].iter().enumerate() {
-                if !self.settings.view.is_rigid(workspace.bodies[k] as usize) {
-                    contact.keep(chunk, k, sums, moment.step == 0);
-                }
             }
         }
         if let Some(divergence) = self.settings.divergence.filter(|_| moment.stage == 0) {

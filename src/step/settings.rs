@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::contact::Contact;
 use super::integrator::Integrator;
 use super::pack::Packer;
 use super::packing::DensityRelaxation;
@@ -25,6 +26,8 @@ pub struct StepSettings {
     pub motions: Option<Motions>,
     /// Where bodies are rigid.
     pub rigid: Option<RigidMatter>,
+    /// Where some of them do not adhere.
+    pub contact: Option<Contact>,
     pub gravity: Option<Attraction>,
     /// Where some bodies take smaller steps than the rest.
     pub two_rates: Option<RateSettings>,

@@ -297,7 +297,8 @@ impl<'c, const D: usize> Stepper<'c, D> {
 
     pub(super) fn chunk_pass(&mut self, work: impl Fn(&Passes, &Chunk, &mut Workspace) + Sync) {
         let (registry, count) = (Arc::clone(&self.columns.registry), self.columns.len());
-        let passes = Passes { settings: &self.settings, registry: &registry, rigid: &self.state.rigid };
+        let owners = self.neighbourhood.owners();
+        let passes = Passes { settings: &self.settings, registry: &registry, rigid: &self.state.rigid, owners };
         let chunks = Chunks::new(&mut self.columns, std::mem::take(&mut self.pointers));
         let buffers = &self.buffers;
         self.workers.each(&buffers.all, |chunk, workspace| {
@@ -373,7 +374,8 @@ impl<'c, const D: usize> Stepper<'c, D> {
 
     fn evaluate_chunks(&mut self, items: &[u32], moment: &Moment) {
         let (registry, count) = (Arc::clone(&self.columns.registry), self.columns.len());
-        let passes = Passes { settings: &self.settings, registry: &registry, rigid: &self.state.rigid };
+        let owners = self.neighbourhood.owners();
+        let passes = Passes { settings: &self.settings, registry: &registry, rigid: &self.state.rigid, owners };
         let rows = Rows {
             records: bytemuck::cast_slice(&self.buffers.records),
             offsets: &self.neighbourhood.list.offsets,

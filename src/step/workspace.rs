@@ -3,6 +3,7 @@
 use std::cell::Cell;
 use std::time::{Duration, Instant};
 
+use super::contact::Touch;
 use super::failure::{NonFinite, Watched};
 use super::integrator::StepError;
 use super::time_step::Limit;
@@ -22,6 +23,8 @@ pub struct Workspace {
     pub watched: Watched,
     /// Forces on each rigid body since they were taken last.
     pub loads: Vec<LoadSums>,
+    /// What touches a particle, while it is at work.
+    pub touches: Vec<Touch>,
     /// Findings since the last [`Workspace::take`].
     pub found: Findings,
     /// Time spent in each effect so far.
@@ -71,6 +74,7 @@ impl Workspace {
             rates: Rates::new(registry),
             watched: Watched::new(registry),
             loads: vec![LoadSums::default(); rigid],
+            touches: Vec::with_capacity(rigid),
             found: Findings::nothing(),
             effects: vec![Cell::default(); effects],
         }

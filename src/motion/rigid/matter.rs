@@ -171,6 +171,15 @@ impl RigidMatter {
         });
     }
 
+    /// Adds a force, N, that acts on one of the scene's bodies at a place, m.
+    pub fn push(&self, body: usize, bodies: &[RigidBody], place: Vec3, force: Vec3, loads: &mut [LoadSums]) {
+        let Some(number) = self.number[body] else { return };
+        let centre = self.image(bodies[number].motion.centre, place);
+        let torque = (place - centre).cross(&force);
+        let shares = force.iter().chain(torque.iter());
+        loads[number].iter_mut().zip(shares).for_each(|(sum, share)| sum.add(*share));
+    }
+
     /// Force and torque of each body, of all ranks. Collective.
     pub fn loads(&self, sums: &mut [LoadSums], comm: &Comm) -> Vec<Load> {
         let values = comm.sum_exactly(sums.as_flattened_mut());

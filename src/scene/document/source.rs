@@ -94,6 +94,19 @@ impl<'a> Document<'a> {
         Error::new(what).at(self.place(path))
     }
 
+    /// Whether the scene has a key, before anything is filled up.
+    pub fn says(&self, path: &str) -> bool {
+        let mut steps = path.split('.');
+        let first = steps.next().and_then(|key| self.tree.get(key));
+        steps
+            .try_fold(first, |value, key| {
+                let value = value?;
+                Some(key.parse::<usize>().map_or_else(|_| value.get(key), |number| value.get(number)))
+            })
+            .flatten()
+            .is_some()
+    }
+
     /// Names of the scene's bodies.
     pub fn body_names(&self) -> Vec<&str> {
         let bodies = self.tree.get("body").and_then(Value::as_array);

@@ -2,6 +2,8 @@
 //! unless the scene has its own; any other table is there only if the scene names it, at every depth, and then the keys
 //! that the scene leaves out come from the library.
 
+use std::collections::BTreeSet;
+
 use toml::{Table, Value};
 
 use crate::error::Result;
@@ -21,8 +23,9 @@ pub fn complete(document: &mut Document) -> Result<()> {
     };
     let bodies = document.tree.get("body").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
     let used: Vec<&str> = bodies.iter().filter_map(|b| b.get("material")?.as_str()).collect();
+    let different: BTreeSet<&str> = used.iter().copied().collect();
     if let Some(name) = own.keys().find(|name| !used.contains(&name.as_str())) {
-        let known: Vec<String> = used.iter().map(|u| u.to_string()).collect();
+        let known: Vec<String> = different.into_iter().map(str::to_string).collect();
         return Err(unknown(document, &format!("material.{name}"), "material: no body is made of", name, &known));
     }
     let mut all = Table::new();
@@ -98,9 +101,10 @@ fn fill_same_law(eos: &mut Value, stored: Option<&Value>) {
     for (law, parameters) in eos.as_table_mut().into_iter().flatten() {
         let stored = stored.and_then(|s| s.get(law)).and_then(Value::as_table);
         if let (Some(parameters), Some(stored)) = (parameters.as_table_mut(), stored) {
+            // A law needs its tables, but for those that the scene takes from it.
+            let is_taken = |key: &str| parameters.get(key) == Some(&Value::Boolean(false));
+            let tables: Vec<_> = stored.iter().filter(|(key, value)| value.is_table() && !is_taken(key)).collect();
             fill(parameters, stored);
-            // A law needs its tables.
-            let tables = stored.iter().filter(|(_, value)| value.is_table());
             for (key, value) in tables {
                 parameters.entry(key.as_str()).or_insert_with(|| without_sources(value));
             }
@@ -113,7 +117,8 @@ fn fill_same_law(eos: &mut Value, stored: Option<&Value>) {
 fn fill(table: &mut Table, from: &Table) {
     for (key, value) in from.iter().filter(|(key, _)| *key != SOURCE) {
         let Value::Table(inner_from) = value else {
-            if !value.is_bool() && table.get(key) == Some(&Value::Boolean(false)) {
+            // Where there are other words for the same, `false` leaves it to these; elsewhere a number cannot be absent.
+            if rivals(key).next().is_some() && table.get(key) == Some(&Value::Boolean(false)) {
                 table.remove(key);
             } else if rivals(key).all(|rival| !table.contains_key(rival)) {
                 table.entry(key.as_str()).or_insert_with(|| value.clone());
@@ -240,6 +245,23 @@ mod tests {
         let basalt = &document.tree["material"]["basalt"];
         assert!(basalt["strength"].get("collins").is_none() && basalt["strength"].get("drucker_prager").is_some());
         assert!(basalt["porosity"]["epsilon_alpha"].get("P_e").is_none());
+    }
+
+    /// `false` takes a table away that a law has in the library, and says nothing of a number that nothing else stands for.
+    #[test]
+    fn tables_of_a_law_may_be_taken_away() {
+        let dust = |keys: &str| {
+            let text = format!("[[body]]\nmaterial = \"silica_dust\"\n[material.silica_dust]\n{keys}\n");
+            completed(&text).unwrap()["silica_dust"].as_table().unwrap().clone()
+        };
+        let law = |keys: &str| {
+            dust(&format!("eos = {{ sirono = {{ {keys} }} }}"))["eos"]["sirono"].as_table().unwrap().clone()
+        };
+        assert!(law("").contains_key("tension") && law("").contains_key("compression"));
+        let loose = law("tension = false");
+        assert!(!loose.contains_key("tension") && loose.contains_key("compression"));
+        assert_eq!(law("gamma = false")["gamma"].as_bool(), Some(false));
+        assert_eq!(dust("viscosity = { speed = false }")["viscosity"]["speed"].as_bool(), Some(false));
     }
 
     #[test]

@@ -8,7 +8,7 @@ use toml::{Table, Value};
 use super::complete::complete;
 use super::tables::SceneTables;
 use super::validate::validate;
-use super::{curves, library};
+use super::{curves, library, quality};
 use crate::error::{Error, Result};
 use crate::scene::document::keys;
 use crate::scene::document::source::{Document, SourceText};
@@ -42,6 +42,7 @@ impl Scene {
 fn from_source(source: SourceText) -> Result<Scene> {
     let mut document = Document::parse(&source)?;
     library::complete(&mut document)?;
+    quality::complete(&mut document)?;
     let written: SceneTables = keys::deserialize(&document)?;
     let tables = complete(&document, &written);
     let scene = validate(&document, &tables)?;

@@ -21,7 +21,8 @@ pub fn check(
     let Some((_, first)) = rigid.clone().next() else { return Ok(()) };
     let name = &first.name;
     if !numerics.density_contrast {
-        let key = if numerics.corrected_gradient { "density_contrast" } else { "corrected_gradient" };
+        // Which of both the scene says, of which either takes it away.
+        let key = if document.says("numerics.density_contrast") { "density_contrast" } else { "corrected_gradient" };
         let what = format!("rigid body \"{name}\" stands for what hits it by the density contrast of pairs");
         return Err(document.error(&format!("numerics.{key}"), what).allowed("true, or no such key"));
     }

@@ -19,6 +19,9 @@ use crate::units::Number;
 #[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct NumericsTable {
+    /// A word for kernel, eta, CFL number and treatment of viscosity together, by what they cost and how far they are off. What the scene
+    /// says itself of any of these counts more.
+    quality: Option<Quality>,
     /// Kernel; all end at 2h.
     kernel: Kernel,
     /// Courant number C. A step is short enough for sound, for approaching neighbours, and for matter that is not in touch yet: nothing
@@ -69,6 +72,15 @@ pub struct NumericsTable {
     integrator: IntegratorTable,
 }
 
+/// The keys that each stands for are in `quality.toml`.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum Quality {
+    Draft,
+    Standard,
+    Fine,
+}
+
 const CFL: Range = [1e-3, 1.0];
 /// Of an integrator that refuses steps which are too long.
 const LONG_CFL: Range = [1e-3, 2.0];
@@ -82,6 +94,7 @@ const LARGEST: Range = [1.0, 100.0];
 impl Default for NumericsTable {
     fn default() -> Self {
         Self {
+            quality: None,
             kernel: Kernel::CubicSpline,
             cfl: Number::new(0.25),
             skin: Number::new(0.1),

@@ -72,7 +72,10 @@ pub fn print(restitution: &Figures) {
     );
 }
 
-/// Bodies that are not done with each other.
+/// Beyond this coefficient of restitution energy has come from nowhere.
+const MOST: f64 = 1.01;
+
+/// Bodies that are not done with each other, or part faster than they met.
 pub fn warning(bounce: &Bounce, scene: &Scene) -> Option<Warning> {
     let [body, against] = scene.restitution.map(|r| [r.body, r.against].map(|body| &scene.bodies[body].name))?;
     let what = match (bounce.contact(), bounce.is_going_on()) {
@@ -80,6 +83,14 @@ pub fn warning(bounce: &Bounce, scene: &Scene) -> Option<Warning> {
         (_, true) => format!(
             "`{body}` and `{against}` still push or pull each other: the coefficient of restitution is of no bounce"
         ),
+        _ if bounce.coefficient() > MOST => {
+            let what = format!(
+                "`{body}` and `{against}` part {:.3} times as fast as they met: steps do not resolve their contact (change: a smaller \
+                 numerics.cfl, a start farther apart)",
+                bounce.coefficient()
+            );
+            return Some(Warning::new("restitution", what));
+        }
         _ if bounce.coefficient() < 0.0 => {
             let what = format!(
                 "`{body}` goes on in the direction in which it has approached `{against}`: an oblique hit, or they stick"

@@ -11,6 +11,7 @@ use crate::output::summary::{Figures, Remnants};
 use crate::output::{Summary, state_hash};
 use crate::process::resources;
 use crate::scene::Scene;
+use crate::simulation::scales::has_balance;
 use crate::simulation::{late, rigid};
 use crate::step::Stepper;
 use crate::step::phases::{NAMES, Phase};
@@ -89,13 +90,6 @@ pub fn summarise<const D: usize>(report: &Report<D>) -> Summary {
     let found = warnings::of_run(report, &summary);
     summary.warnings.extend(found);
     summary
-}
-
-/// Whether energy is accounted for: cold matter does not record what it takes up.
-pub fn has_balance(scene: &Scene) -> bool {
-    let mut deforming = scene.bodies.iter().filter(|body| body.rigid.is_none()).peekable();
-    // What rigid bodies take up by their contact is cold, too, and recorded where others have heat.
-    deforming.peek().is_some() && deforming.all(|body| !scene.materials[body.material].eos.law().is_cold())
 }
 
 /// What became of each body.

@@ -7,12 +7,15 @@ use crate::math::Vec3;
 use crate::outcome::Outcome;
 use crate::output::Summary;
 use crate::scene::{Body, Scene};
+use crate::simulation::scales::has_balance;
 use crate::step::packing::{FACTOR, Packing};
 use crate::warning::Warning;
 
 /// Largest drift of energy over the initial kinetic energy, and over the remaining one.
 const ENERGY: f64 = 1e-3;
 const ENERGY_OVER_LEFT: f64 = 1e-2;
+/// Largest gain of matter that has no internal energy, over the initial kinetic energy.
+const GAIN: f64 = 1e-2;
 /// Largest sum of internal energy below zero, over the initial kinetic energy.
 const BELOW_ZERO: f64 = 1e-3;
 /// Largest drift of angular momentum over sum m |x| |v|.
@@ -26,6 +29,8 @@ const OFF: f64 = 0.1;
 const LEAST_INSIDE: u64 = 20;
 /// Least particles of a remnant in 2D and 3D: about two thirds of so many lie at its surface.
 const FEW: [u64; 2] = [25, 100];
+/// Bodies whose masses differ by a smaller share are alike.
+const ALIKE: f64 = 0.01;
 
 /// Warnings before a run.
 pub fn of_scene(scene: &Scene) -> Vec<Warning> {
@@ -39,13 +44,16 @@ pub fn of_run<const D: usize>(report: &Report<D>, summary: &Summary) -> Vec<Warn
     let scale = report.state.conservation.energy_scale();
     [
         energy(summary),
+        cold_gain(report),
         below_zero(report.totals.internal, scale),
         angular_momentum(summary, report.state.conservation.turn / circling(report.scene, report.totals.mass, scale)),
         density(report.scene, &report.density.bodies),
         report.state.intrusion.as_ref().and_then(|fall| intrusion::warning(fall, report.scene)),
         report.state.bounce.as_ref().and_then(|bounce| restitution::warning(bounce, report.scene)),
+        crammed(report.state.most_filling),
         outcome.and_then(|outcome| few_particles(outcome, D)),
         outcome.and_then(|outcome| other_remnant(outcome, report.scene)),
+        outcome.and_then(changing_remnant),
     ]
     .into_iter()
     .flatten()
@@ -66,6 +74,19 @@ fn energy(summary: &Summary) -> Option<Warning> {
              (change: spacings of the bodies more alike, more particles, numerics.cfl; history.csv shows when it grew)"
         ),
     ))
+}
+
+/// Cold matter does not account for heat, but it cannot have more energy than it started with, either.
+fn cold_gain<const D: usize>(report: &Report<D>) -> Option<Warning> {
+    let conservation = &report.state.conservation;
+    let share = conservation.gain / conservation.energy_scale;
+    (!has_balance(report.scene) && conservation.energy_scale > 0.0 && share > GAIN).then(|| {
+        let text = format!(
+            "kinetic and potential energy have grown by {share:.1e} of the initial kinetic energy, which nothing but steps that are too long \
+             gives cold matter (change: a smaller numerics.cfl)"
+        );
+        Warning::new("energy", text)
+    })
 }
 
 fn below_zero(internal: f64, scale: f64) -> Option<Warning> {
@@ -111,6 +132,17 @@ fn density(scene: &Scene, packing: &[Packing]) -> Option<Warning> {
     Some(Warning::new("density", text))
 }
 
+/// Dust without pores: its law ends at that of its monomers.
+fn crammed(most_filling: f64) -> Option<Warning> {
+    (most_filling > 1.0).then(|| {
+        let text = format!(
+            "dust has been compressed to a filling factor of {most_filling:.2}: matter denser than its monomers is outside of its law, which \
+             does not stiffen there (change: a slower impact, or viscosity.beta = 2 of its material)"
+        );
+        Warning::new("filling", text)
+    })
+}
+
 fn few_particles(outcome: &Outcome, dimension: usize) -> Option<Warning> {
     let (found, least) = (outcome.largest_remnant_particles, FEW[dimension - 2]);
     // Records of earlier versions lack this number.
@@ -130,6 +162,10 @@ fn other_remnant(outcome: &Outcome, scene: &Scene) -> Option<Warning> {
     let origin = |body: usize| outcome.bodies.iter().find(|origin| origin.body == body);
     let (target, projectile) = (origin(impact.target)?, origin(impact.projectile)?);
     let mass = |body: usize| scene.bodies[body].whole_mass();
+    // Of two alike, either may be the larger.
+    if (mass(impact.projectile) / mass(impact.target) - 1.0).abs() < ALIKE {
+        return None;
+    }
     let own = target.in_largest_remnant * mass(impact.target);
     (own < projectile.in_largest_remnant * mass(impact.projectile)).then(|| {
         let (target, name) = (target.remnant, &scene.bodies[impact.projectile].name);
@@ -141,9 +177,21 @@ fn other_remnant(outcome: &Outcome, scene: &Scene) -> Option<Warning> {
     })
 }
 
+/// Where a run has waited as long as runs wait for their remnants.
+fn changing_remnant(outcome: &Outcome) -> Option<Warning> {
+    let trend = outcome.trend.filter(|trend| !trend.lasts())?;
+    let text = format!(
+        "the largest remnant is still changing: by {:+.3} of all mass until twice the time since contact, {:.3} either way (change: \
+         gravity.self, which holds slow matter back, or a later time as run.until)",
+        trend.change, trend.uncertainty
+    );
+    Some(Warning::new("changing", text))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::outcome::lasting::Trend;
 
     fn kind(warning: Option<Warning>) -> String {
         warning.map_or(String::new(), |warning| warning.kind)
@@ -169,6 +217,12 @@ mod tests {
         assert_eq!(turning(1.1e-2, 1.1e-4), "angular_momentum");
         assert_eq!(kind(below_zero(-0.9, 1e3)) + &kind(below_zero(1e3, 1.0)), "");
         assert_eq!(kind(below_zero(-1.1, 1e3)), "internal_energy");
+        let changing = |uncertainty| {
+            changing_remnant(&Outcome { trend: Some(Trend { change: -0.03, uncertainty }), ..Outcome::default() })
+        };
+        assert_eq!(kind(crammed(0.0)) + &kind(crammed(0.99)) + &kind(crammed(1.01)), "filling");
+        assert_eq!(kind(changing(0.039)), "");
+        assert!(changing(0.041).is_some_and(|warning| warning.text.contains("by -0.030 of all mass")));
     }
 
     #[test]

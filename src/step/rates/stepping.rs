@@ -282,7 +282,8 @@ impl<const D: usize> Stepper<'_, D> {
         work: impl Fn(&Passes, &Chunk, &mut Workspace) + Sync,
     ) {
         let registry = Arc::clone(&columns.registry);
-        let passes = Passes { settings: &self.settings, registry: &registry, rigid: &self.state.rigid };
+        let owners = self.neighbourhood.owners();
+        let passes = Passes { settings: &self.settings, registry: &registry, rigid: &self.state.rigid, owners };
         let chunks = Chunks::new(columns, std::mem::take(&mut self.pointers));
         self.workers.each(&lists.stretches, |stretch, workspace| {
             // SAFETY: each stretch is worked on once per pass, and stretches do not overlap.

@@ -97,15 +97,20 @@ impl MeasuredTable {
             let what = format!("{} filling factors and {} pressures", phi.len(), pressure.len());
             return Err(Error::new(what).at(place).allowed("as many of one as of the other, two and more"));
         }
-        let rising = phi.windows(2).all(|pair| pair[0].0 < pair[1].0);
-        if !(rising && phi[0].0 >= 0.0 && phi[phi.len() - 1].0 <= 1.0) {
-            let error = Error::new("the filling factors do not rise from point to point");
-            return Err(error.at(format!("{place}.filling_factor")).allowed("0 to 1, each above the one before"));
+        let (factors, pressures) = (format!("{place}.filling_factor"), format!("{place}.pressure"));
+        if let Some(phi) = phi.iter().find(|phi| !(0.0..=1.0).contains(&phi.0)) {
+            return Err(Error::new(format!("a filling factor of {phi}")).at(factors).allowed("0 to 1"));
         }
-        let rising = pressure.windows(2).all(|pair| pair[0].0 <= pair[1].0);
-        if !(rising && pressure[0].0 >= 0.0 && pressure[pressure.len() - 1].0.is_finite()) {
-            let error = Error::new("the pressures fall from point to point").at(format!("{place}.pressure"));
-            return Err(error.allowed("finite pressures of 0 and above, none below the one before"));
+        if let Some(pair) = phi.windows(2).find(|pair| pair[0].0 >= pair[1].0) {
+            let error = Error::new(format!("{} follows {}", pair[1], pair[0])).at(factors);
+            return Err(error.allowed("filling factors that rise from point to point"));
+        }
+        if let Some(pressure) = pressure.iter().find(|p| !(p.0 >= 0.0 && p.0.is_finite())) {
+            return Err(Error::new(format!("a pressure of {pressure}")).at(pressures).allowed("finite, 0 and above"));
+        }
+        if let Some(pair) = pressure.windows(2).find(|pair| pair[0].0 > pair[1].0) {
+            let error = Error::new(format!("{} follows {}", pair[1], pair[0])).at(pressures);
+            return Err(error.allowed("pressures that do not fall from point to point"));
         }
         Ok(())
     }

@@ -41,8 +41,9 @@ pub struct SironoTable {
     pub gamma: Number,
     /// Compressive strength.
     pub compression: CompressionTable,
-    /// Tensile strength.
-    pub tension: TensionTable,
+    /// Tensile strength; without it dust bears neither tension nor shear.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tension: Option<TensionTable>,
     /// When deformation becomes permanent.
     #[serde(default)]
     pub plasticity: Plasticity,
@@ -51,6 +52,9 @@ pub struct SironoTable {
     #[serde(default)]
     pub shear_as_printed: bool,
 }
+
+/// Beyond it the modulus changes by more than a factor of ten over a change of density by a tenth.
+const MOST_GAMMA: f64 = 24.0;
 
 /// Tensile strength, 10^(slope phi) T_0.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -76,18 +80,18 @@ pub enum Plasticity {
 
 impl SironoTable {
     pub(super) fn validate(&self, place: &str) -> Result<()> {
-        let positive =
-            [("rho_s", self.rho_s.0), ("rho_i", self.rho_i.0), ("K_0", self.modulus.0), ("gamma", self.gamma.0)];
-        all_positive(place, &positive)?;
+        all_positive(place, &[("rho_s", self.rho_s.0), ("rho_i", self.rho_i.0), ("K_0", self.modulus.0)])?;
         if self.rho_i.0 > self.rho_s.0 {
             let what = format!("rho_i is {}, and the monomers have {}", self.rho_i, self.rho_s);
             return Err(Error::new(what).at(format!("{place}.rho_i")).allowed("rho_s at most"));
         }
-        if self.gamma.0 <= 1.0 {
+        if !(self.gamma.0 > 1.0 && self.gamma.0 <= MOST_GAMMA) {
             let error = Error::new(format!("gamma is {}", self.gamma)).at(format!("{place}.gamma"));
-            return Err(error.allowed("numbers above 1"));
+            return Err(error.allowed(format!("above 1, {MOST_GAMMA} at most")));
         }
-        none_negative(&format!("{place}.tension"), &[("T_0", self.tension.scale.0), ("slope", self.tension.slope.0)])?;
+        if let Some(TensionTable { scale, slope }) = &self.tension {
+            none_negative(&format!("{place}.tension"), &[("T_0", scale.0), ("slope", slope.0)])?;
+        }
         self.compression.validate(&format!("{place}.compression"))
     }
 }
@@ -128,8 +132,8 @@ impl Sirono {
             modulus: table.modulus.0,
             gamma,
             compression: Compression::new(&table.compression),
-            tension: table.tension.scale.0,
-            tension_slope: table.tension.slope.0 * std::f64::consts::LN_10,
+            tension: table.tension.map_or(0.0, |tension| tension.scale.0),
+            tension_slope: table.tension.map_or(0.0, |tension| tension.slope.0 * std::f64::consts::LN_10),
             plasticity: table.plasticity,
             shear_as_printed: table.shear_as_printed,
             most: libm::pow(at_most, gamma - 1.0) / gamma,
@@ -298,7 +302,7 @@ mod tests {
     #[test]
     fn bad_tables_are_named() {
         let wrong = |more: &str| table(more).validate("material.dust.eos.sirono").unwrap_err().to_string();
-        assert_eq!(wrong("gamma = 1"), "material.dust.eos.sirono.gamma: gamma is 1 (allowed: numbers above 1)");
+        assert_eq!(wrong("gamma = 1"), "material.dust.eos.sirono.gamma: gamma is 1 (allowed: above 1, 24 at most)");
         assert!(toml::from_str::<SironoTable>("gamma = 4").is_err());
     }
 }

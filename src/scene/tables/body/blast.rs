@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
+use crate::kernel::{Kernel, SUPPORT};
 use crate::scene::document::source::Document;
 use crate::scene::values::checks::{POSITIVE, positive};
 use crate::units::{Energy, Length};
@@ -27,6 +28,18 @@ pub struct Blast {
     pub energy: f64,
     /// Where nothing of it is left, m.
     pub radius: f64,
+}
+
+impl Blast {
+    /// Smoothing length of the cubic spline that spreads it, m.
+    pub fn smoothing_length(&self) -> f64 {
+        self.radius / SUPPORT
+    }
+
+    /// Energy per volume in the middle, J/m^3.
+    pub fn peak(&self, dimension: usize) -> f64 {
+        self.energy * Kernel::CubicSpline.value(0.0, self.smoothing_length(), dimension)
+    }
 }
 
 impl BlastTable {

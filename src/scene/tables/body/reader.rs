@@ -211,7 +211,14 @@ impl BodyReader<'_> {
             return Err(error.allowed("a material with eos.sirono"));
         };
         if !(phi.0 > 0.0 && phi.0 <= 1.0) {
-            return Err(self.error("filling_factor", format!("filling_factor is {phi}")).allowed("above 0, 1 at most"));
+            // Either follows from the other: the one that the scene has is named.
+            let is_given = self.document.says(&format!("{}.filling_factor", self.path));
+            return Err(match raw.density.filter(|_| !is_given) {
+                Some(density) => self
+                    .error("density", format!("a density of {density} has a filling factor of {phi}"))
+                    .allowed(format!("above 0, {} kg/m^3 at most", law.solid_density())),
+                None => self.error("filling_factor", format!("filling_factor is {phi}")).allowed("above 0, 1 at most"),
+            });
         }
         match raw.density {
             Some(density) if (density.0 / (phi.0 * law.solid_density()) - 1.0).abs() > 1e-9 => {
