@@ -5,6 +5,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use crate::common::{GAS_BALLS, IMPACT, Launch, Output, PROGRAM, summary, write_scene};
+use crate::hard_viscosity::COARSE;
 
 /// Exit codes: failed on its way, stopped on request.
 const FAILED: i32 = 1;
@@ -183,17 +184,7 @@ fn no_rank_outlives_its_launcher() {
 #[test]
 fn a_run_that_blows_up_ends() {
     let dir = tempfile::tempdir().expect("a temporary directory");
-    let coarse = [
-        "driver.spacing=0.01",
-        "driver.size=[0.6, 0.13856]",
-        "driver.position=[-0.3, 0.06928]",
-        "driven.spacing=0.01",
-        "driven.size=[0.6, 0.13856]",
-        "driven.position=[0.3, 0.06928]",
-        "domain.periodic.y=[0, 0.13856]",
-        "numerics.cfl=1",
-    ];
-    let more: Vec<&str> = coarse.iter().flat_map(|set| ["--set", set]).collect();
+    let more: Vec<&str> = COARSE.iter().chain(&["numerics.cfl=1"]).flat_map(|set| ["--set", *set]).collect();
     let output = Launch::in_directory(2, dir.path(), include_str!("../inputs/exact/sod.toml"), &more).run();
     let output = output.expect_code(FAILED);
     let says = ["the time step has collapsed", "energy drift", "blown up (change: a smaller numerics.cfl"];

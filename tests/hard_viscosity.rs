@@ -13,7 +13,7 @@ const SWITCHED: &str = "numerics.viscosity_switch=true";
 
 const TUBE: &str = include_str!("../inputs/exact/sod.toml");
 /// Sixteen rows of particles, half as many as the scene has along the tube.
-const COARSE: [&str; 7] = [
+pub const COARSE: [&str; 7] = [
     "driver.spacing=0.01",
     "driver.size=[0.6, 0.13856]",
     "driver.position=[-0.3, 0.06928]",
