@@ -6,7 +6,7 @@ use std::path::Path;
 use sph_mpi::domain::comm::Comm;
 use sph_mpi::material::{BodyConstants, declare_core};
 use sph_mpi::math::Vec3;
-use sph_mpi::outcome::crater::{self, Question};
+use sph_mpi::outcome::crater::{self, Matter, Question};
 use sph_mpi::outcome::profiles::{Bowl, Ejecta, Pores, PoresRow};
 use sph_mpi::outcome::target_particle::TargetParticle;
 use sph_mpi::particles::{ColumnInfo, Columns, Life, ParticleId, Registry};
@@ -160,9 +160,12 @@ fn ground_is_hit_in_the_middle() {
 
 fn grain(height: f64, x: f64, speed: f64) -> TargetParticle {
     TargetParticle {
+        of_projectile: false,
         height,
         aside: [x, 0.0],
         speed,
+        energy: 1.5 * speed * speed,
+        start: [2.0, x.abs()],
         mass: 3.0,
         volume: 1.5,
         relative_density: 1.0,
@@ -226,7 +229,7 @@ fn sums_are_the_same_on_any_ranks() {
         let mine: Vec<u64> = mine.collect();
         let mut columns = Columns::new(registry);
         columns.resize(mine.len());
-        let mut plain = [0.0; 3];
+        let (mut plain, mut momentum) = ([0.0; 3], 0.0);
         for (i, &site) in mine.iter().enumerate() {
             let draw = |k| uniform(5, site, k);
             let body = if site < 4000 { 0 } else { 1 + usize::from(site >= 4200) };
@@ -237,6 +240,9 @@ fn sums_are_the_same_on_any_ranks() {
             columns.set(core.density.value, i, constants[body].density * (0.2 + draw(4)));
             columns.set(alpha, i, 1.0 + 2.0 * draw(5));
             let (m, rho) = (constants[body].particle_mass, constants[body].density);
+            if speed > 5.0 && 1.0 - 3.0 * draw(2) > 0.5 {
+                momentum += m * speed;
+            }
             if body != 1 && speed > 5.0 {
                 plain[0] += m;
                 plain[1] += m / rho;
@@ -252,17 +258,26 @@ fn sums_are_the_same_on_any_ranks() {
             projectile: 1,
             ejection_speed: Some(5.0),
             extent: 3.0,
+            impulse: 7.0,
         };
-        let found = crater::evaluate(comm, &columns, &core, &constants, &question);
+        // As if all matter had come from one place.
+        let start = |_| [0.1, 0.3, 0.1];
+        let matter = Matter { columns: &columns, core: &core, constants: &constants, start: &start };
+        let found = crater::evaluate(comm, matter, &question);
         let (ejected, compaction) = (found.crater.ejected.unwrap(), found.crater.compaction.unwrap());
         if comm.size() == 1 {
             let sums = [ejected.mass, ejected.volume, compaction.compacted_volume];
+            assert!((ejected.momentum_enhancement / (1.0 + momentum / 7.0) - 1.0).abs() < 1e-12, "{momentum}");
             assert!(sums.iter().zip(plain).all(|(sum, plain)| (sum / plain - 1.0).abs() < 1e-12), "{sums:?} {plain:?}");
         }
         assert!(compaction.minimum_distention > 1.0 && compaction.minimum_distention < 1.01);
         assert!(ejected.mass_above_face > 0.0 && ejected.mass_above_face < ejected.mass);
         let figures = serde_json::to_string(&found.crater).expect("plain data");
-        [figures, found.ejecta.table(), found.bowl.table(), found.pores.expect("pores").table()].join("\n")
+        let row = found.ejecta.rows[0];
+        let [depth, distance] = row.start;
+        assert!((depth - 0.4).abs() < 1e-12 && (distance - 0.3).abs() < 1e-12 && row.crushed_mass == 0.0, "{row:?}");
+        assert!(row.energy > 0.0 && row.momentum > momentum, "slower matter rises, too: {row:?}");
+        [figures, found.ejecta.table(7.0), found.bowl.table(), found.pores.expect("pores").table()].join("\n")
     });
 }
 

@@ -50,6 +50,7 @@ mod rigid;
 mod rigid_runs;
 mod sameness;
 mod scenes;
+mod shapes;
 mod studies;
 mod viscosity;
 mod warnings;

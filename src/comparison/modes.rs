@@ -25,16 +25,16 @@ impl ModeShape {
     pub fn new(scene: &Scene, body: &Body, kind: VibrationMode) -> Result<Self> {
         let solid = elastic(scene, body)?;
         let mut clamp = 0.0;
-        let mode = match (kind, body.shape, scene.dimension) {
-            (VibrationMode::Radial, BodyShape::Sphere { radius }, 3) => vibration::sphere_radial(&solid, radius, 1)?,
-            (VibrationMode::Radial, BodyShape::Sphere { radius }, _) => vibration::disc_radial(&solid, radius, 1)?,
-            (VibrationMode::Torsional, BodyShape::Sphere { radius }, 3) => {
+        let mode = match (kind, &body.shape, scene.dimension) {
+            (VibrationMode::Radial, &BodyShape::Sphere { radius }, 3) => vibration::sphere_radial(&solid, radius, 1)?,
+            (VibrationMode::Radial, &BodyShape::Sphere { radius }, _) => vibration::disc_radial(&solid, radius, 1)?,
+            (VibrationMode::Torsional, &BodyShape::Sphere { radius }, 3) => {
                 vibration::sphere_torsional(&solid, radius, 1)?
             }
-            (VibrationMode::Torsional, BodyShape::Sphere { radius }, _) => {
+            (VibrationMode::Torsional, &BodyShape::Sphere { radius }, _) => {
                 vibration::disc_torsional(&solid, radius, 1)?
             }
-            (VibrationMode::Bending, BodyShape::Box { size }, 2) => {
+            (VibrationMode::Bending, &BodyShape::Box { size }, 2) => {
                 let fixed = scene
                     .layers
                     .iter()

@@ -6,9 +6,13 @@
 //! ... above the face sum of m over those of them that have risen above the initial face
 //! volume             m / rho_0 of these, rho_0 bulk density at the start
 //! compacted volume   sum of m (1 / rho_0 - alpha / (alpha_0 rho_0)) over porous bodies
+//! momentum           sum of m v_up over all matter above the face with v_up > v, the projectile's included
+//! beta               1 + momentum / (m_p U cos(theta)): how much more momentum along the normal the ground takes than was brought
 //! ```
 //! The first is how Jutzi, Benz & Michel 2008 (Icarus 198, 242) count ejecta (Figs 8, 9, 12); early on it holds matter
-//! that is still on its way up through the ground. alpha distention, alpha_0 at the start.
+//! that is still on its way up through the ground. beta is the momentum enhancement of planetary defence (Holsapple & Housen 2012,
+//! Icarus 221, 875); it has converged where it no longer changes with time, and v is then the speed of escape. alpha distention, alpha_0
+//! at the start; m_p, U and theta are the projectile's mass, speed and angle from the normal.
 //!
 //! Sums are exact, the rest are minima and maxima: no order of particles or ranks changes a bit.
 
@@ -21,13 +25,10 @@ use crate::domain::comm::Comm;
 use crate::material::porosity::DISTENTION;
 use crate::material::{BodyConstants, Core};
 use crate::math::{ExactSum, Vec3};
-use crate::particles::{Column, Columns};
+use crate::particles::{Columns, ParticleId};
 
 /// Matter below this share of its initial density is spray, not ground.
 const THIN: f64 = 0.5;
-/// Distention from which on no pores are left.
-const CRUSHED: f64 = 1.0 + 1e-9;
-
 /// Geometry and thresholds by which craters are measured.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Question {
@@ -42,7 +43,12 @@ pub struct Question {
     pub ejection_speed: Option<f64>,
     /// A width that holds the ground, m.
     pub extent: f64,
+    /// Momentum of the projectile along the normal, kg m/s.
+    pub impulse: f64,
 }
+
+/// Where a particle was at the start, m.
+pub type Start<'a> = &'a dyn Fn(ParticleId) -> [f64; 3];
 
 /// The crater and the compaction in figures.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -70,6 +76,8 @@ pub struct Ejected {
     pub volume: f64,
     /// Mass of the ejecta that have risen above the face, kg.
     pub mass_above_face: f64,
+    /// beta.
+    pub momentum_enhancement: f64,
 }
 
 /// How far pores were crushed.
@@ -88,90 +96,108 @@ pub struct CraterEvaluation {
     pub ejecta: Ejecta,
     pub bowl: Bowl,
     pub pores: Option<Pores>,
+    /// Momentum of the projectile along the normal, kg m/s.
+    pub impulse: f64,
 }
 
-/// The owned particles of the ground.
-struct Ground<'a> {
-    columns: &'a Columns,
-    core: &'a Core,
-    constants: &'a [BodyConstants],
-    distention: Option<Column<f64>>,
-    question: &'a Question,
+/// The owned particles of all bodies.
+#[derive(Clone, Copy)]
+pub struct Matter<'a> {
+    pub columns: &'a Columns,
+    pub core: &'a Core,
+    pub constants: &'a [BodyConstants],
+    pub start: Start<'a>,
 }
 
-impl Ground<'_> {
-    fn particles(&self) -> impl Iterator<Item = TargetParticle> {
-        let question = self.question;
-        (0..self.columns.len()).filter_map(move |i| {
-            let body = self.columns.get(self.core.id, i).body();
-            (body != question.projectile).then(|| {
-                let constants = &self.constants[body];
-                let from_face = self.columns.get(self.core.position, i) - question.face;
-                let first = constants.distention;
-                TargetParticle {
-                    height: from_face[question.up],
-                    aside: [from_face.x, if question.up == 2 { from_face.y } else { 0.0 }],
-                    speed: self.columns.get(self.core.velocity, i)[question.up],
-                    mass: constants.particle_mass,
-                    volume: constants.particle_mass / constants.density,
-                    relative_density: self.columns.get(self.core.density.value, i) / constants.density,
-                    distention: self.distention.filter(|_| first > 1.0).map(|now| [self.columns.get(now, i), first]),
-                }
-            })
+impl Matter<'_> {
+    fn seen(&self, question: &Question) -> impl Iterator<Item = TargetParticle> {
+        let distention = self.columns.registry.find::<f64>(DISTENTION);
+        let aside = |from_face: &Vec3| [from_face.x, if question.up == 2 { from_face.y } else { 0.0 }];
+        (0..self.columns.len()).map(move |i| {
+            let id = self.columns.get(self.core.id, i);
+            let constants = &self.constants[id.body()];
+            let from_face = self.columns.get(self.core.position, i) - question.face;
+            let velocity = self.columns.get(self.core.velocity, i);
+            let at_start = Vec3::from((self.start)(id)) - question.face;
+            let [x, y] = aside(&at_start);
+            let first = constants.distention;
+            TargetParticle {
+                of_projectile: id.body() == question.projectile,
+                height: from_face[question.up],
+                aside: aside(&from_face),
+                speed: velocity[question.up],
+                energy: 0.5 * constants.particle_mass * velocity.norm_squared(),
+                start: [-at_start[question.up], (x * x + y * y).sqrt()],
+                mass: constants.particle_mass,
+                volume: constants.particle_mass / constants.density,
+                relative_density: self.columns.get(self.core.density.value, i) / constants.density,
+                distention: distention.filter(|_| first > 1.0).map(|now| [self.columns.get(now, i), first]),
+            }
         })
+    }
+
+    /// Those of the ground.
+    fn ground(&self, question: &Question) -> impl Iterator<Item = TargetParticle> {
+        self.seen(question).filter(|particle| !particle.of_projectile)
     }
 }
 
+/// beta for the speed that the scene names, where it names one. Collective.
+pub fn momentum_enhancement(comm: &Comm, matter: Matter, question: &Question) -> Option<f64> {
+    let speed = question.ejection_speed?;
+    let mut sum = [ExactSum::new()];
+    let escaping = matter.seen(question).filter(|particle| particle.speed > speed && particle.height > 0.0);
+    escaping.for_each(|particle| sum[0].add(particle.mass * particle.speed));
+    Some(1.0 + all_values(comm, &mut sum)[0] / question.impulse)
+}
+
 /// Evaluates the state of all ranks. Collective.
-pub fn evaluate(
-    comm: &Comm,
-    columns: &Columns,
-    core: &Core,
-    constants: &[BodyConstants],
-    question: &Question,
-) -> CraterEvaluation {
+pub fn evaluate(comm: &Comm, matter: Matter, question: &Question) -> CraterEvaluation {
+    let Matter { columns, constants, .. } = matter;
     let distention = columns.registry.find::<f64>(DISTENTION);
-    let ground = Ground { columns, core, constants, distention, question };
     let volume = constants[question.target].particle_mass / constants[question.target].density;
     let spacing = if columns.registry.dimension == 3 { libm::cbrt(volume) } else { volume.sqrt() };
     let mass = |body: &BodyConstants| body.particle_mass * body.particles as f64;
     let projectile_mass = mass(&constants[question.projectile]);
     let has_pores = distention.is_some() && constants.iter().any(|body| body.distention > 1.0);
 
-    let ejecta = Ejecta::count(comm, ground.particles());
+    let ejecta = Ejecta::count(comm, matter.seen(question));
     let fastest = question.ejection_speed.unwrap_or(f64::INFINITY);
-    let dense = ground.particles().filter(|particle| particle.relative_density > THIN && particle.speed <= fastest);
+    let dense =
+        matter.ground(question).filter(|particle| particle.relative_density > THIN && particle.speed <= fastest);
     let bowl = Bowl::measure(comm, dense, spacing, question.extent, columns.registry.dimension);
-    let pores = has_pores.then(|| Pores::measure(comm, ground.particles(), spacing, question.extent));
+    let pores = has_pores.then(|| Pores::measure(comm, matter.ground(question), spacing, question.extent));
     let [depth, radius] = bowl.size();
     let crater = Crater {
-        ejected: question.ejection_speed.map(|speed| ejected(comm, ground.particles(), speed)),
+        ejected: question.ejection_speed.map(|speed| ejected(comm, matter, question, speed)),
         depth,
         radius,
-        compaction: has_pores.then(|| compaction(comm, ground.particles())),
+        compaction: has_pores.then(|| compaction(comm, matter.ground(question))),
         ground_mass: constants.iter().map(mass).sum::<f64>() - projectile_mass,
         projectile_mass,
     };
-    CraterEvaluation { crater, ejecta, bowl, pores }
+    CraterEvaluation { crater, ejecta, bowl, pores, impulse: question.impulse }
 }
 
-fn ejected(comm: &Comm, particles: impl Iterator<Item = TargetParticle>, speed: f64) -> Ejected {
+fn ejected(comm: &Comm, matter: Matter, question: &Question, speed: f64) -> Ejected {
     let mut sums = [const { ExactSum::new() }; 3];
-    for particle in particles.filter(|particle| particle.speed > speed) {
+    for particle in matter.ground(question).filter(|particle| particle.speed > speed) {
         let above = if particle.height > 0.0 { particle.mass } else { 0.0 };
         sums.iter_mut().zip([particle.mass, particle.volume, above]).for_each(|(sum, share)| sum.add(share));
     }
     let [mass, volume, mass_above_face] = all_values(comm, &mut sums);
-    Ejected { mass, volume, mass_above_face }
+    let momentum_enhancement = momentum_enhancement(comm, matter, question).expect("the speed is told");
+    Ejected { mass, volume, mass_above_face, momentum_enhancement }
 }
 
 fn compaction(comm: &Comm, particles: impl Iterator<Item = TargetParticle>) -> Compaction {
     let mut sums = [const { ExactSum::new() }; 2];
     let mut least = [f64::INFINITY];
-    for (volume, [now, first]) in particles.filter_map(|particle| Some((particle.volume, particle.distention?))) {
-        sums[0].add(volume * (1.0 - now / first));
-        if now <= CRUSHED {
-            sums[1].add(volume);
+    for particle in particles {
+        let Some([now, first]) = particle.distention else { continue };
+        sums[0].add(particle.volume * (1.0 - now / first));
+        if particle.is_crushed() {
+            sums[1].add(particle.volume);
         }
         least[0] = now.min(least[0]);
     }

@@ -35,40 +35,77 @@ pub struct EjectaRow {
     pub volume: f64,
     /// Mass of the part that has risen above the face, kg.
     pub mass_above_face: f64,
+    /// Upward momentum of the matter above the face, the projectile's included, kg m/s.
+    pub momentum: f64,
+    /// Kinetic energy, J.
+    pub energy: f64,
+    /// Mean depth below the face and mean distance from the axis of impact at the start, m.
+    pub start: [f64; 2],
+    /// Mass of the part without pores left, kg.
+    pub crushed_mass: f64,
 }
+
+/// Sums of a bin: mass, volume, mass above the face, momentum, energy, mass times depth and distance at the start, mass without pores.
+const SUMS: usize = 8;
 
 impl Ejecta {
     /// Collective.
     pub fn count(comm: &Comm, particles: impl Iterator<Item = TargetParticle>) -> Self {
         let edge = |k: i32| libm::exp10(k as f64 / PER_DECADE as f64);
         let edges: Vec<f64> = (SLOWEST * PER_DECADE..=FASTEST * PER_DECADE).map(edge).collect();
-        let mut sums = vec![ExactSum::new(); 3 * edges.len()];
+        let mut sums = vec![ExactSum::new(); SUMS * edges.len()];
         for particle in particles {
             // Bin k holds speeds above edge k, up to the next.
             let Some(bin) = edges.partition_point(|edge| *edge < particle.speed).checked_sub(1) else { continue };
             let above = if particle.height > 0.0 { particle.mass } else { 0.0 };
-            let shares = [particle.mass, particle.volume, above];
-            sums[3 * bin..][..3].iter_mut().zip(shares).for_each(|(sum, share)| sum.add(share));
+            let mass = if particle.of_projectile { 0.0 } else { particle.mass };
+            let share = mass / particle.mass;
+            let crushed = if particle.is_crushed() { mass } else { 0.0 };
+            let [depth, range] = particle.start.map(|length| mass * length);
+            let (volume, energy) = (share * particle.volume, share * particle.energy);
+            let shares = [mass, volume, share * above, above * particle.speed, energy, depth, range, crushed];
+            sums[SUMS * bin..][..SUMS].iter_mut().zip(shares).for_each(|(sum, share)| sum.add(share));
         }
         comm.sum_exactly(&mut sums);
-        let mut faster = [const { ExactSum::new() }; 3];
+        let mut faster = [const { ExactSum::new() }; SUMS];
         let mut rows = Vec::new();
-        for (bin, shares) in sums.chunks_exact(3).enumerate().rev() {
+        for (bin, shares) in sums.chunks_exact(SUMS).enumerate().rev() {
             faster.iter_mut().zip(shares).for_each(|(sum, share)| sum.merge(share));
-            let [mass, volume, mass_above_face] = [0, 1, 2].map(|k| faster[k].value());
+            let [mass, volume, mass_above_face, momentum, energy, depth, range, crushed_mass] =
+                std::array::from_fn(|k| faster[k].value());
             if mass > 0.0 {
-                rows.push(EjectaRow { speed: edges[bin], mass, volume, mass_above_face });
+                let start = [depth / mass, range / mass];
+                let speed = edges[bin];
+                rows.push(EjectaRow { speed, mass, volume, mass_above_face, momentum, energy, start, crushed_mass });
             }
         }
         rows.reverse();
         Self { rows }
     }
 
-    /// `ejecta.csv`.
-    pub fn table(&self) -> String {
-        let mut text = String::from("speed_above_m_s,mass_kg,volume_before_m3,mass_above_face_kg\n");
+    /// `ejecta.csv`. `impulse`: momentum of the projectile along the normal, kg m/s.
+    pub fn table(&self, impulse: f64) -> String {
+        let mut text = String::from(
+            "speed_above_m_s,mass_kg,volume_before_m3,mass_above_face_kg,momentum_above_face_kg_m_s,momentum_enhancement,\
+             kinetic_energy_J,start_depth_m,start_distance_m,crushed_mass_kg\n",
+        );
         for row in &self.rows {
-            let _ = writeln!(text, "{:e},{:e},{:e},{:e}", row.speed, row.mass, row.volume, row.mass_above_face);
+            let [depth, distance] = row.start;
+            let enhancement = 1.0 + row.momentum / impulse;
+            let numbers = [
+                row.speed,
+                row.mass,
+                row.volume,
+                row.mass_above_face,
+                row.momentum,
+                enhancement,
+                row.energy,
+                depth,
+                distance,
+                row.crushed_mass,
+            ];
+            let numbers: Vec<String> = numbers.iter().map(|x| format!("{x:e}")).collect();
+            let _ = writeln!(text, "{}", numbers.join(","));
         }
         text
     }

@@ -1,13 +1,14 @@
 //! Scenes: a TOML file is read into raw tables, completed from the material library and the defaults, and validated into a
 //! [`Scene`]. From the top: `schema` (the keys described), `reading` (text -> tables -> completed tables -> scene), `warnings` and `identity` (what a scene may be
 //! asked), `validated` (the scene), `hydrostatic` (bodies under their own weight), `tables` (one file per table), `geometry`, `values`
-//! (what all tables use), `document` (the text). Files import from those below only.
+//! (what all tables use), `document` (the text), `mesh` (shape models). Files import from those below only.
 
 pub mod answer;
 mod document;
 mod geometry;
 mod hydrostatic;
 pub mod identity;
+mod mesh;
 mod reading;
 pub mod schema;
 mod tables;

@@ -46,8 +46,8 @@ fn every_input_reads_back_from_its_own_print() {
     let scenes = inputs();
     assert!(scenes.len() >= 4);
     for scene in scenes {
-        let again =
-            Scene::parse(scene.path(), &scene.to_toml(), &[]).unwrap_or_else(|e| panic!("{e}\n{}", scene.to_toml()));
+        let printed = SourceText::new(scene.path(), scene.to_toml(), &[]);
+        let again = of(printed).unwrap_or_else(|e| panic!("{e}\n{}", scene.to_toml()));
         let source = scene.source.clone();
         assert_eq!(Scene { source, ..again }, scene, "{}", scene.to_toml());
     }
@@ -396,7 +396,7 @@ fn numbers_beyond_reach_are_refused_at_their_key() {
         "{text}"
     );
     // What no check of its own finds.
-    let source = SourceText { path: "s.toml".into(), text: BALL.into(), overrides: Vec::new() };
+    let source = SourceText::new("s.toml", BALL, &[]);
     let document = Document::parse(&source).unwrap();
     let good = parse(BALL, &[]).unwrap();
     assert!(check_numbers(&document, &good).is_ok());

@@ -249,8 +249,7 @@ mod tests {
     const HEAD: &str = "[study]\nscene = \"a.toml\"\nerror = \"energy_drift\"\nagainst = \"finest\"\n";
 
     fn study(text: &str) -> Result<Study> {
-        let source =
-            |path: &str, text: &str| SourceText { path: path.into(), text: text.into(), overrides: Vec::new() };
+        let source = |path: &str, text: &str| SourceText::new(path, text, &[]);
         let scene = format!("dimension = 2\n{SCENE}");
         Study::new(&Sources { study: source("s.toml", &format!("{HEAD}{text}")), scene: source("a.toml", &scene) })
     }

@@ -366,7 +366,7 @@ mod tests {
     use crate::scene::source::SourceText;
 
     fn read(text: &str) -> Result<Settings> {
-        let source = SourceText { path: "s.toml".into(), text: text.into(), overrides: Vec::new() };
+        let source = SourceText::new("s.toml", text, &[]);
         Settings::read(&Document::parse(&source)?)
     }
 

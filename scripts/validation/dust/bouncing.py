@@ -22,7 +22,7 @@ def bounce(p_m, modulus, spacing=25, more=(), name=""):
 SWEEP = {(p_m, modulus): bounce(p_m, modulus) for p_m, moduli in MODULI.items() for modulus in moduli}
 SPACINGS = {spacing: bounce(0.26, 5, spacing) for spacing in (50, 25, 12.5)}
 FROM_AFAR = {spacing: bounce(0.26, 5, spacing, ['aggregate.position=[0,0,"0.7 mm"]'], "_from_afar") for spacing in (50, 25)}
-GAMMA = {gamma: bounce(0.26, 5, 50, [f"{SIRONO}.gamma={gamma}"], f"_gamma_{gamma}") for gamma in (2, 3, 4, 5, 6)}
+GAMMA = {gamma: bounce(0.26, 5, 50, [] if gamma == 4 else [f"{SIRONO}.gamma={gamma}"], "" if gamma == 4 else f"_gamma_{gamma}") for gamma in (2, 3, 4, 5, 6)}
 CHOICES = {
     "as it is": [], "CFL 0.25": ["numerics.cfl=0.25"], "h / l_c = 2.8 (eta 1.4)": ["numerics.eta=1.4"], "h / l_c = 5.6 (eta 2.8)": ["numerics.eta=2.8"],
     "no viscosity": ["numerics.contact_viscosity=false", "material.silica_dust.viscosity.alpha=0"], "alpha = 0.5": ["material.silica_dust.viscosity.alpha=0.5"],
@@ -31,7 +31,7 @@ CHOICES = {
     "tensile strength, a tenth": [f'{SIRONO}.tension.T_0="63 Pa"'], "tensile strength, ten times": [f'{SIRONO}.tension.T_0="6.3 kPa"'],
     "a plate to which dust sticks": ["plate.rigid={ adhesion = true }"],
 }
-CHOICE_RUNS = {name: bounce(0.26, 5, 50, more, f"_choice_{number}") for number, (name, more) in enumerate(CHOICES.items())}
+CHOICE_RUNS = {name: bounce(0.26, 5, 50, more, f"_choice_{number}" if more else "") for number, (name, more) in enumerate(CHOICES.items())}
 VARIANTS = {"at once": bounce(0.26, 5), "after unloading": bounce(0.26, 5, 25, [f'{SIRONO}.plasticity="after_unloading"'], "_variant_2")}
 PAPER = {(0.26, 5): "0.19", (0.26, 500): "0.09", (1.3, 1): "0.7", (1.3, 20): "0.2", (1.3, 300): "0.13"}
 

@@ -19,21 +19,21 @@ def impact(modulus, spacing=8, more=(), name=""):
     return Run(f"dust/fragments{name}_{modulus}_{spacing:g}um", SCENE, [*own, *more], guess=4500 * (8 / spacing) ** 4 * (modulus / 4.5) ** 0.5)
 
 
-COARSE = 16
+COARSE = 20
+"""l_c of sweeps and of what is only compared with each other, um."""
+TURNED_AT = 16
 SWEEP = {modulus: impact(modulus, COARSE) for modulus in PAPER}
-SPACINGS = {spacing: impact(4.5, spacing) for spacing in (COARSE, 12, 8)}
-TURNED = {seed: impact(4.5, COARSE, [f"aggregate.orientation={{ seed = {seed} }}"], f"_turned_{seed}") for seed in (1, 2, 3)}
+SPACINGS = {spacing: impact(4.5, spacing) for spacing in (COARSE, 16, 12, 8)}
+TURNED = {seed: impact(4.5, TURNED_AT, [f"aggregate.orientation={{ seed = {seed} }}"], f"_turned_{seed}") for seed in (1, 2, 3)}
 GAMMA = {gamma: impact(4.5, COARSE, [] if gamma == 4 else [f"{SIRONO}.gamma={gamma}"], "" if gamma == 4 else f"_gamma_{gamma}") for gamma in (2, 3, 4, 5, 6)}
 
-CHOICE = 20
-"""l_c of what is only compared with each other, um."""
 CHOICES = {
     "as it is": [], "no viscosity of the dust": ["material.silica_dust.viscosity.alpha=0"],
     "alpha = 10 at the plate": ["material.glass.viscosity.alpha=10"], "alpha = 51 at the plate": ["material.glass.viscosity.alpha=51"],
     "shear as printed (eqs. 10, 18)": [f"{SIRONO}.shear_as_printed=true"], "plasticity after unloading (variant 2)": [f'{SIRONO}.plasticity="after_unloading"'],
     "a plate to which dust sticks": ["plate.rigid.adhesion=true"],
 }
-CHOICE_RUNS = {name: impact(4.5, CHOICE, more, f"_choice_{number}") for number, (name, more) in enumerate(CHOICES.items())}
+CHOICE_RUNS = {name: impact(4.5, COARSE, more, f"_choice_{number}" if more else "") for number, (name, more) in enumerate(CHOICES.items())}
 
 
 def runs():
@@ -58,7 +58,7 @@ def write(known):
     head = ["K_0, kPa", *HEAD, "paper: slope", "mu"]
     parts = [
         TEXT, page.table(["l_c, um", *head[1:]], spacings), f"Over the bulk modulus, at l_c = {COARSE} um:", page.table(head, lines),
-        f"Other orientations of the lattice, at {COARSE} um, K_0 = 4.5 kPa:", page.table(["seed", *HEAD], [[key, *cells(known.get(run.name))] for key, run in TURNED.items()]),
+        f"Other orientations of the lattice, at {TURNED_AT} um, K_0 = 4.5 kPa:", page.table(["seed", *HEAD], [[key, *cells(known.get(run.name))] for key, run in TURNED.items()]),
         f"The exponent gamma, at {COARSE} um:", page.table(["gamma", *HEAD], [[key, *cells(known.get(run.name))] for key, run in GAMMA.items()]),
     ]
     parts += [CHOICE_TEXT, page.table(["choice", *HEAD], [[key, *cells(known.get(run.name))] for key, run in CHOICE_RUNS.items()])]
@@ -86,5 +86,5 @@ TEXT = """## Fragmentation
 
 `inputs/dust_fragmentation.toml`: an aggregate of 0.57 mm, filling factor 0.35, at 8.4 m/s on a rigid plate, after 0.8 ms; the mass in pieces
 up to m is fitted by F = (m / mu)^slope, masses over that of all; pieces are apart where particles are farther than 2 h from each other. Experiments: a slope of 0.67, 0.22 of the mass in the largest. The paper's l_c is 8 um:"""
-CHOICE_TEXT = f"""What else they depend on, at {CHOICE} um. In the paper the plate has the sound of glass, 1400 m/s, in the viscosity of its pairs with dust, and brakes
+CHOICE_TEXT = f"""What else they depend on, at {COARSE} um. In the paper the plate has the sound of glass, 1400 m/s, in the viscosity of its pairs with dust, and brakes
 what slides along it; here it has none, and alpha = 51 at the plate stands for it (half of 1400 m/s over the 14 m/s of this dust):"""

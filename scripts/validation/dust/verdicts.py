@@ -85,7 +85,7 @@ def rows(known):
     yield line("restitution, K_0 = 5 kPa", (bounce.get("restitution") or {}).get("coefficient"), 0.19, 0.2)
     broken = next((known[run.name]["fragments"] for run in reversed(fragmentation.SPACINGS.values()) if run.name in known), {})
     smooth, rough = (((known.get(fragmentation.CHOICE_RUNS[name].name) or {}).get("fragments") or {}) for name in ("as it is", "alpha = 51 at the plate"))
-    found = lambda key: f": {smooth[key]:.2f} without it and {rough[key]:.2f} with it at {fragmentation.CHOICE} um" if smooth.get(key) and rough.get(key) else ""
+    found = lambda key: f": {smooth[key]:.2f} without it and {rough[key]:.2f} with it at {fragmentation.COARSE} um" if smooth.get(key) and rough.get(key) else ""
     why = "the paper's plate brakes what slides along it by the viscosity of glass"
     yield line("fragments: slope", broken.get("slope"), 0.673, 0.67, why=why + found("slope"))
     yield line("fragments: mu, the share of the largest", broken.get("mu"), 0.234, 0.22, why=why + found("mu"))

@@ -1,5 +1,6 @@
 //! A scene's text, what the command line sets over it, and where in both a key stands, so that an error can say it.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
@@ -8,6 +9,7 @@ use toml::{Table, Value};
 
 use super::input;
 use crate::error::{Error, Result};
+use crate::scene::mesh;
 
 /// Text and overrides a scene was read from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -17,14 +19,21 @@ pub struct SourceText {
     pub text: String,
     /// `key=value`, in the order in which they apply.
     pub overrides: Vec<String>,
+    /// Shape models by the names that the scene gives their files.
+    pub meshes: BTreeMap<String, mesh::Shared>,
 }
 
 impl SourceText {
+    /// A text that names no shape models.
+    pub fn new(path: impl Into<String>, text: impl Into<String>, overrides: &[String]) -> Self {
+        Self { path: path.into(), text: text.into(), overrides: overrides.to_vec(), meshes: BTreeMap::new() }
+    }
+
     /// Reads the file; `overrides` are `key=value`, as after `--set`.
     pub fn open(path: &Path, overrides: &[String]) -> Result<Self> {
         let place = path.display().to_string();
         let text = input::read(path).map_err(|what| Error::new(format!("cannot read the scene: {what}")).at(&place))?;
-        Ok(Self { path: place, text, overrides: overrides.to_vec() })
+        Ok(Self::new(place, text, overrides))
     }
 
     /// Where paths that it names start: its own folder; of what comes through a pipe, the one the program was started in.
@@ -46,7 +55,7 @@ pub struct Document<'a> {
 
 /// Keys of one table that say the same thing in another way: where one is set over a scene, or named by a scene over the
 /// library, the later word counts.
-const RIVALS: [&[&str]; 16] = [
+const RIVALS: [&[&str]; 17] = [
     &["particles", "spacing"],
     &["eta", "neighbours"],
     &["snapshots", "every"],
@@ -59,7 +68,8 @@ const RIVALS: [&[&str]; 16] = [
     &["quadratic", "two_slope", "measured"],
     &["P_e", "elastic_strain"],
     &["collins", "drucker_prager"],
-    &["sphere", "disc", "box", "cylinder", "heap", "half_sphere", "half_disc"],
+    &["sphere", "disc", "box", "cylinder", "heap", "half_sphere", "half_disc", "ellipsoid", "mesh", "all"],
+    &["scale", "size", "volume"],
     &["radial", "stretch", "wave", "mode"],
     &["velocity", "along", "damping"],
     &["value", "against"],
@@ -92,6 +102,11 @@ impl<'a> Document<'a> {
     /// An error at a key.
     pub fn error(&self, path: &str, what: impl Into<String>) -> Error {
         Error::new(what).at(self.place(path))
+    }
+
+    /// The shape model in a file, where that has been read.
+    pub fn mesh(&self, file: &str) -> Option<&mesh::Mesh> {
+        self.source.meshes.get(file).map(|mesh| &**mesh)
     }
 
     /// Whether the scene has a key, before anything is filled up.
@@ -260,11 +275,8 @@ mod tests {
         [material.basalt.fracture]\nseed = 1\n[numerics]\nartificial_stress = true\n";
 
     fn source(overrides: &[&str]) -> SourceText {
-        SourceText {
-            path: "s.toml".into(),
-            text: TEXT.into(),
-            overrides: overrides.iter().map(|s| s.to_string()).collect(),
-        }
+        let overrides: Vec<String> = overrides.iter().map(|s| s.to_string()).collect();
+        SourceText::new("s.toml", TEXT, &overrides)
     }
 
     #[test]

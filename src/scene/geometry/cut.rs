@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use serde::{Deserialize, Serialize};
 
-use super::lattice::BoundingBox;
+use super::bounding_box::BoundingBox;
 use super::shape::BodyShape;
 
 /// What of a body is left between two spheres (in 2D circles) around a point.

@@ -7,6 +7,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::bounding_box::BoundingBox;
 use crate::error::{Error, Result};
 use crate::particles::ParticleId;
 use crate::random::uniform_pair;
@@ -158,14 +159,6 @@ pub struct Faces {
 
 /// Rows are moved apart or together by this share at most.
 const MOST_STRETCH: f64 = 0.15;
-
-/// A box around a shape, in the body's frame.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BoundingBox {
-    pub middle: [f64; 3],
-    pub half: [f64; 3],
-    pub dimension: usize,
-}
 
 /// Rotation by `angle` (radians) about `axis` (any length but zero).
 pub fn rotation_about(axis: [f64; 3], angle: f64) -> Rotation {

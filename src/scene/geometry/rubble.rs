@@ -160,7 +160,7 @@ mod tests {
             (BodyShape::HalfSphere { radius: 1.0, inner: 0.0 }, 3, 0.55),
         ];
         for (shape, dimension, voids) in shapes {
-            let pile = pile(shape, dimension, [0.06, 0.25], voids, 1).unwrap();
+            let pile = pile(shape.clone(), dimension, [0.06, 0.25], voids, 1).unwrap();
             let mut touching = 0;
             for (i, a) in pile.blocks.iter().enumerate() {
                 assert!((0.06..=0.25).contains(&a.radius));

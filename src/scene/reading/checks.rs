@@ -123,7 +123,7 @@ pub fn check_initial_states(document: &Document, bodies: &[Body], space: &Space)
 
 /// Whether a body is a box without sides that uniform gravity alone pulls down.
 fn is_ground(body: &Body, periods: &Periods, gravity: &GravitySettings) -> bool {
-    let (BodyShape::Box { size }, Some(uniform), None) = (body.shape, gravity.uniform, gravity.own) else {
+    let (&BodyShape::Box { size }, Some(uniform), None) = (&body.shape, gravity.uniform, gravity.own) else {
         return false;
     };
     let up = body.dimension - 1;

@@ -118,7 +118,7 @@ mod tests {
             ("numerics.neighbours=1", false),
             ("target.material=ideal_gas", false),
         ] {
-            let source = SourceText { path: "s.toml".into(), text: refined.into(), overrides: vec![change.into()] };
+            let source = SourceText::new("s.toml", refined, &[change.into()]);
             let mut document = Document::parse(&source).expect("a tree");
             library::complete(&mut document).expect("materials");
             let written: SceneTables = keys::deserialize(&document).expect("tables");

@@ -152,7 +152,7 @@ mod tests {
     use crate::scene::document::source::SourceText;
 
     fn completed(text: &str) -> Result<Table> {
-        let source = SourceText { path: "s.toml".into(), text: text.into(), overrides: Vec::new() };
+        let source = SourceText::new("s.toml", text, &[]);
         let mut document = Document::parse(&source)?;
         complete(&mut document)?;
         Ok(document.tree["material"].as_table().unwrap().clone())
@@ -239,7 +239,7 @@ mod tests {
             "material.basalt.porosity.epsilon_alpha.elastic_strain=0",
             "material.basalt.strength.drucker_prager.friction=0.4",
         ];
-        let source = SourceText { path: "s.toml".into(), text, overrides: set.map(String::from).to_vec() };
+        let source = SourceText::new("s.toml", text, &set.map(String::from));
         let mut document = Document::parse(&source).unwrap();
         complete(&mut document).unwrap();
         let basalt = &document.tree["material"]["basalt"];

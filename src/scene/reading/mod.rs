@@ -5,6 +5,7 @@ mod checks;
 mod complete;
 mod curves;
 mod library;
+mod meshes;
 mod quality;
 pub mod read;
 mod rigid;

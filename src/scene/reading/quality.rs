@@ -83,7 +83,7 @@ mod tests {
         let text = scene("quality = \"finer\"").unwrap_err().to_string();
         assert!(text.contains("unknown quality `finer`, did you mean `fine`?"), "{text}");
         assert!(scene("quality = 3").is_err());
-        let source = SourceText { path: "s.toml".into(), text: "numerics = 3".into(), overrides: Vec::new() };
+        let source = SourceText::new("s.toml", "numerics = 3", &[]);
         complete(&mut Document::parse(&source).expect("TOML")).expect("refused when the table is read");
     }
 }

@@ -8,7 +8,7 @@ use toml::{Table, Value};
 use super::complete::complete;
 use super::tables::SceneTables;
 use super::validate::validate;
-use super::{curves, library, quality};
+use super::{curves, library, meshes, quality};
 use crate::error::{Error, Result};
 use crate::scene::document::keys;
 use crate::scene::document::source::{Document, SourceText};
@@ -22,13 +22,14 @@ pub fn read(path: &Path, overrides: &[String]) -> Result<Scene> {
 /// The scene of a text, and of the files that it names.
 pub fn of(mut source: SourceText) -> Result<Scene> {
     curves::read_into(&mut source)?;
+    meshes::read_into(&mut source)?;
     from_source(source)
 }
 
 impl Scene {
     /// Reads a scene from its text; `path` names it in messages.
     pub fn parse(path: &str, text: &str, overrides: &[String]) -> Result<Self> {
-        from_source(SourceText { path: path.into(), text: text.into(), overrides: overrides.to_vec() })
+        from_source(SourceText::new(path, text, overrides))
     }
 
     /// The scene that its source gives with further overrides, e.g. another size of the projectile.

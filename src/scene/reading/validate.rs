@@ -103,7 +103,7 @@ pub fn validate(document: &Document, tables: &SceneTables) -> Result<Scene> {
         probes,
         nbody: None,
         understood: String::new(),
-        source: SourceText { path: String::new(), text: String::new(), overrides: Vec::new() },
+        source: SourceText::new("", "", &[]),
     };
     with_remnants(document, tables, scene)
 }

@@ -96,7 +96,8 @@ impl Scene {
     fn graze(&self) -> Option<Warning> {
         let impact = self.impact.as_ref()?;
         let (target, projectile) = (&self.bodies[impact.target], &self.bodies[impact.projectile]);
-        let (BodyShape::Sphere { radius: r_t }, BodyShape::Sphere { radius: r_p }) = (target.shape, projectile.shape)
+        let (&BodyShape::Sphere { radius: r_t }, &BodyShape::Sphere { radius: r_p }) =
+            (&target.shape, &projectile.shape)
         else {
             return None;
         };

@@ -23,6 +23,7 @@ impl<const D: usize> Run<'_, D> {
         let mut cells = report::history_row(&self.stepper.state, &self.totals, &self.limit, held, D == 2);
         cells.extend(probes::row(self.scene, &self.stepper, self.comm).into_iter().map(Cell::Real));
         cells.extend(self.fall_row().into_iter().map(Cell::Real));
+        cells.extend(self.momentum_row().map(Cell::Real));
         cells.extend(self.state.bounce.as_ref().map(|bounce| Cell::Real(bounce.after())));
         cells.extend(rigid::row(&self.stepper.state.rigid, D).into_iter().map(Cell::Real));
         tracing::debug!("{}", self.describe());

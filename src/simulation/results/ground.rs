@@ -4,9 +4,10 @@ use std::path::Path;
 
 use crate::error::Result;
 use crate::math::Vec3;
-use crate::outcome::crater::{self, Crater, CraterEvaluation, Question};
+use crate::outcome::crater::{self, Crater, CraterEvaluation, Matter, Question};
 use crate::outcome::profiles::PoresRow;
 use crate::output::figures::curves::{Axis, Figure, Mark, Series};
+use crate::particles::ParticleId;
 use crate::scene::Scene;
 use crate::simulation::run::Run;
 
@@ -14,8 +15,20 @@ impl<const D: usize> Run<'_, D> {
     /// The crater as it is now, where the scene hits a flat face. Collective.
     pub(in crate::simulation) fn crater(&self) -> Option<CraterEvaluation> {
         let question = question(self.scene)?;
+        Some(self.with_matter(|matter| crater::evaluate(self.comm, matter, &question)))
+    }
+
+    /// The momentum enhancement as it is now, where the scene says how fast matter escapes. Collective.
+    pub(in crate::simulation) fn momentum_row(&self) -> Option<f64> {
+        self.scene.outcome?;
+        let question = question(self.scene)?;
+        self.with_matter(|matter| crater::momentum_enhancement(self.comm, matter, &question))
+    }
+
+    fn with_matter<T>(&self, act: impl FnOnce(Matter) -> T) -> T {
         let (columns, view) = (&self.stepper.columns, &self.stepper.settings.view);
-        Some(crater::evaluate(self.comm, columns, &view.core, &view.constants, &question))
+        let start = |id: ParticleId| self.scene.bodies[id.body()].start_of(id.site());
+        act(Matter { columns, core: &view.core, constants: &view.constants, start: &start })
     }
 
     /// ejecta.png, and distention.png of ground with pores; for one rank.
@@ -25,9 +38,13 @@ impl<const D: usize> Run<'_, D> {
     }
 }
 
+/// Name and unit of a scene's column of history.csv, where it says how fast matter escapes.
+pub const COLUMN: (&str, &str) = ("momentum_enhancement", "");
+
 /// Names and contents of the tables.
 pub fn tables(evaluation: &CraterEvaluation) -> Vec<(&'static str, Vec<u8>)> {
-    let mut tables = vec![("ejecta.csv", evaluation.ejecta.table()), ("crater.csv", evaluation.bowl.table())];
+    let ejecta = evaluation.ejecta.table(evaluation.impulse);
+    let mut tables = vec![("ejecta.csv", ejecta), ("crater.csv", evaluation.bowl.table())];
     tables.extend(evaluation.pores.as_ref().map(|pores| ("distention.csv", pores.table())));
     tables.into_iter().map(|(name, text)| (name, text.into_bytes())).collect()
 }
@@ -43,6 +60,7 @@ fn question(scene: &Scene) -> Option<Question> {
         projectile: impact.projectile,
         ejection_speed: scene.outcome.map(|outcome| outcome.ejection_speed),
         extent,
+        impulse: scene.bodies[impact.projectile].whole_mass() * impact.speed * libm::cos(impact.angle),
     })
 }
 
@@ -55,6 +73,7 @@ pub fn figures(crater: &Crater) -> Vec<(String, f64)> {
         named("ejected_volume", ejected.volume);
         named("ejected_mass_above_face", ejected.mass_above_face);
         named("ejected_over_projectile", ejected.mass / crater.projectile_mass);
+        named("momentum_enhancement", ejected.momentum_enhancement);
     }
     named("crater_depth", crater.depth);
     named("crater_radius", crater.radius);
@@ -129,7 +148,9 @@ pub fn print(crater: &Crater) {
     let mut text = format!("crater {:.3} m deep, {:.3} m in radius", crater.depth, crater.radius);
     if let Some(ejected) = crater.ejected {
         let ratio = ejected.mass / crater.projectile_mass;
-        text += &format!("; ejected {:.4e} kg, {ratio:.3} of the projectile's mass", ejected.mass);
+        let beta = ejected.momentum_enhancement;
+        text +=
+            &format!("; ejected {:.4e} kg, {ratio:.3} of the projectile's mass; momentum x {beta:.3}", ejected.mass);
     }
     if let Some(compaction) = crater.compaction {
         let (volume, least) = (compaction.compacted_volume, compaction.minimum_distention);

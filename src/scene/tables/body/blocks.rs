@@ -46,6 +46,10 @@ fn first_seed() -> u64 {
 
 impl RubbleTable {
     pub fn validate(&self, document: &Document, path: &str, shape: &BodyShape, dimension: usize) -> Result<Rubble> {
+        if !shape.has_depth(dimension) {
+            let error = document.error(path, "blocks find no room in a shape from which something is taken away");
+            return Err(error.allowed("shapes without a part with `minus`"));
+        }
         let [smallest, largest] = self.radius.map(|radius| radius.0);
         if !(0.0 < smallest && smallest <= largest) {
             let what = format!("radii of blocks from {} to {}", self.radius[0], self.radius[1]);
@@ -86,7 +90,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_piled_is_refused() {
-        let source = SourceText { path: "s.toml".into(), text: String::new(), overrides: Vec::new() };
+        let source = SourceText::new("s.toml", "", &[]);
         let document = Document::parse(&source).expect("an empty scene");
         let said = |radius: [f64; 2], voids| {
             let table = RubbleTable { radius: radius.map(Length::new), voids: Number::new(voids), seed: 1 };

@@ -4,6 +4,7 @@ pub mod blast;
 pub mod blocks;
 mod filling;
 pub mod flow;
+pub mod orientation;
 pub mod reader;
 pub mod rigid;
 mod rigid_rules;

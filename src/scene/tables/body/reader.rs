@@ -14,13 +14,13 @@ use crate::motion::PrescribedMotion;
 use crate::particles::Periods;
 use crate::scene::document::source::Document;
 use crate::scene::geometry::joints::Joints;
-use crate::scene::geometry::lattice::{Faces, IDENTITY, Lattice, Rotation, random_rotation, rotation_about};
+use crate::scene::geometry::lattice::{Faces, IDENTITY, Lattice, Rotation};
 use crate::scene::geometry::periods::fills;
 use crate::scene::geometry::rubble::Rubble;
 use crate::scene::geometry::shape::BodyShape;
 use crate::scene::values::checks::{POSITIVE, within};
 use crate::scene::values::components::Components;
-use crate::units::{Angle, Length, Quantity};
+use crate::units::{Length, Quantity};
 
 /// Validates one body, whose key path is `path` (`body.0`).
 pub struct BodyReader<'a> {
@@ -46,6 +46,7 @@ impl BodyReader<'_> {
         let rubble = self.rubble(raw, &shape)?;
         let lattice = self.lattice(raw, &shape, rubble.as_ref(), rotation)?;
         let spin = self.spin(raw)?;
+        let joints = self.joints(raw, &shape, material.1)?;
         let body = Body {
             name: raw.name.clone(),
             shape,
@@ -65,7 +66,7 @@ impl BodyReader<'_> {
             flow: self.flow(raw, material.1)?,
             blast: self.blast(raw)?,
             rubble,
-            joints: self.joints(raw, &shape, material.1)?,
+            joints,
             start: raw.start,
             cut: None,
         };
@@ -270,25 +271,8 @@ impl BodyReader<'_> {
     }
 
     fn rotation(&self, raw: &BodyTable) -> Result<Rotation> {
-        let about = |axis, angle: Angle| Ok(rotation_about(axis, angle.0));
-        let Some(given) = &raw.orientation else { return Ok(IDENTITY) };
-        match (given.seed, &given.axis, given.angle, self.dimension) {
-            (Some(seed), None, None, dimension) => Ok(random_rotation(seed, dimension)),
-            (None, None, Some(angle), 2) => about([0.0, 0.0, 1.0], angle),
-            (None, Some(axis), Some(angle), 3) => {
-                let path = format!("{}.orientation.axis", self.path);
-                let axis = axis.vector(self.document, &path, self.dimension)?;
-                if axis == [0.0; 3] {
-                    return Err(self.error("orientation.axis", "the axis has no length"));
-                }
-                about(axis, angle)
-            }
-            (_, _, _, 2) => Err(self.error("orientation", "unclear").allowed("{ seed = 3 } or { angle = \"30 deg\" }")),
-            _ => {
-                let allowed = "{ seed = 3 } or { axis = [0, 0, 1], angle = \"30 deg\" }";
-                Err(self.error("orientation", "unclear").allowed(allowed))
-            }
-        }
+        let given = raw.orientation.as_ref();
+        given.map_or(Ok(IDENTITY), |given| given.rotation(self.document, &self.path, self.dimension))
     }
 
     fn lattice(

@@ -6,6 +6,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use super::blast::BlastTable;
 use super::blocks::{JointsTable, RubbleTable};
 use super::flow::FlowTable;
+use super::orientation::OrientationTable;
 use super::rigid::RigidTable;
 use super::shape::ShapeTable;
 use crate::material::MaterialTable;
@@ -121,18 +122,6 @@ pub struct DisorderTable {
 
 /// In spacings.
 pub const SHIFT: Range = [0.0, 0.5];
-
-/// How a lattice is turned: at random by a `seed`, or about an axis by an angle (in 2D an angle alone).
-#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct OrientationTable {
-    /// A random rotation; another seed gives another one.
-    pub seed: Option<u64>,
-    /// Axis of the rotation, of any length; in 3D only.
-    pub axis: Option<Components<Number>>,
-    /// Angle of the rotation.
-    pub angle: Option<Angle>,
-}
 
 /// Distance of nearest particles: given, or the target's (finer where the projectile would be too coarse).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -136,10 +136,19 @@ impl Body {
     pub fn sites(&self, range: Range<u64>) -> impl Iterator<Item = (u64, [f64; 3])> + '_ {
         range.filter_map(|site| {
             let local = self.lattice.position(site);
-            let shift =
-                self.disorder.map_or([0.0; 3], |disorder| disorder.of(site, self.lattice.spacing, self.dimension));
-            self.holds(local).then(|| (site, std::array::from_fn(|k| self.centre[k] + (local[k] + shift[k]))))
+            self.holds(local).then(|| (site, self.placed(site, local)))
         })
+    }
+
+    /// Where the particle of a site starts, before its own weight compresses the body, m.
+    pub fn start_of(&self, site: u64) -> [f64; 3] {
+        self.placed(site, self.lattice.position(site))
+    }
+
+    fn placed(&self, site: u64, local: [f64; 3]) -> [f64; 3] {
+        let disorder = |disorder: Disorder| disorder.of(site, self.lattice.spacing, self.dimension);
+        let shift = self.disorder.map_or([0.0; 3], disorder);
+        std::array::from_fn(|k| self.centre[k] + (local[k] + shift[k]))
     }
 
     /// Particles among the sites of `range`.

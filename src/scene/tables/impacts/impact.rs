@@ -15,7 +15,7 @@ use super::refine::RefineTable;
 use crate::error::{Error, Result};
 use crate::scene::document::keys::unknown;
 use crate::scene::document::source::Document;
-use crate::scene::geometry::lattice::BoundingBox;
+use crate::scene::geometry::bounding_box::BoundingBox;
 use crate::scene::geometry::shape::BodyShape;
 use crate::scene::tables::body::validated::Body;
 use crate::scene::values::checks::POSITIVE;
@@ -136,12 +136,16 @@ impl ImpactSettings {
         }
     }
 
-    /// Where the surfaces touch first, from the target's centre, m: on a sphere, or in the middle of the upper face.
+    /// Where the surfaces touch first, from the target's centre, m: on a sphere, in the middle of the upper face, or where the axis along x
+    /// leaves a shape without one.
     pub fn point(&self, target: &Body, projectile: &Body) -> [f64; 3] {
         if let BodyShape::Sphere { radius } = target.shape {
             let r_p = projectile.shape.outer_radius();
             let sine = self.aside(radius, r_p) / (radius + r_p);
             return [radius * (1.0 - sine * sine).sqrt(), radius * sine, 0.0];
+        }
+        if target.shape.is_round() {
+            return [target.shape.end_along_x(target.dimension).unwrap_or_default(), 0.0, 0.0];
         }
         let (bounds, up) = (target.shape.bounds(target.dimension), target.dimension - 1);
         std::array::from_fn(|k| if k == up { bounds.middle[k] + bounds.half[k] } else { 0.0 })
@@ -150,8 +154,8 @@ impl ImpactSettings {
     /// Centre and velocity of the projectile, `gap` (m) between the surfaces.
     pub fn place(&self, target: &Body, projectile: &Body, gap: f64) -> Result<([f64; 3], [f64; 3])> {
         let (s, c) = (libm::sin(self.angle), libm::cos(self.angle));
-        match (target.shape, projectile.shape) {
-            (BodyShape::Sphere { radius: r_t }, BodyShape::Sphere { radius: r_p }) => {
+        match (&target.shape, &projectile.shape) {
+            (&BodyShape::Sphere { radius: r_t }, &BodyShape::Sphere { radius: r_p }) => {
                 let contact = r_t + r_p;
                 let y = self.aside(r_t, r_p);
                 let x = ((contact + gap) * (contact + gap) - y * y).sqrt();
@@ -160,6 +164,24 @@ impl ImpactSettings {
             }
             (BodyShape::Sphere { .. }, _) => {
                 Err(Error::new("onto a sphere only a sphere can fall").allowed("a projectile with shape sphere"))
+            }
+            (shape, other) if shape.is_round() => {
+                let Some(end) = shape.end_along_x(target.dimension) else {
+                    let what = "the axis along x from the centre of the target does not meet it";
+                    return Err(Error::new(what).allowed("a target with matter there"));
+                };
+                // From where a ball around the projectile would touch that point, back along the path until nothing overlaps.
+                let path = [c, s, 0.0];
+                let mut away = other.outer_radius() + gap;
+                let around = BodyShape::Sphere { radius: away };
+                loop {
+                    let centre: [f64; 3] = std::array::from_fn(|k| path[k] * away + if k == 0 { end } else { 0.0 });
+                    if !shape.overlaps([0.0; 3], &around, centre, target.dimension) {
+                        let centre = std::array::from_fn(|k| target.centre[k] + centre[k]);
+                        return Ok((centre, path.map(|x| -self.speed * x)));
+                    }
+                    away += 0.25 * gap;
+                }
             }
             _ => {
                 let up = target.dimension - 1;

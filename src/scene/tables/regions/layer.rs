@@ -96,6 +96,10 @@ fn outer(document: &Document, path: &str, thickness: Length, body: Option<&Body>
         BodyShape::Box { size } => fills(periods, size),
         _ => [false; 3],
     };
+    if !body.shape.has_depth(body.dimension) {
+        let what = format!("how far matter of body \"{}\" is from its faces is not known", body.name);
+        return Err(error(what).allowed("shapes from which nothing is taken away"));
+    }
     let across = closed.map(|closed| !closed);
     let most = body.shape.largest_outer_distance(across, body.dimension);
     if most == f64::INFINITY {
@@ -105,6 +109,6 @@ fn outer(document: &Document, path: &str, thickness: Length, body: Option<&Body>
         let what = format!("an outer layer of {thickness} in body \"{}\"", body.name);
         return Err(error(what).allowed(format!("more than 0 and less than {}, which is all of it", Length::new(most))));
     }
-    let Body { shape, centre, dimension, .. } = *body;
-    Ok(Outer { thickness: thickness.0, shape, centre, across, dimension })
+    let Body { ref shape, centre, dimension, .. } = *body;
+    Ok(Outer { thickness: thickness.0, shape: shape.clone(), centre, across, dimension })
 }
