@@ -340,6 +340,9 @@ mod tests {
             scene(folder.path(), &hollow, &["asteroid.rubble={ radius = [\"0.1 km\", \"0.3 km\"], voids = 0.5 }"])
                 .unwrap_err();
         assert!(text.to_string().contains("taken away"), "{text}");
+        // The volumes of their parts are not known exactly.
+        let text = scene(folder.path(), &hollow, &["impact.refine=true"]).unwrap_err().to_string();
+        assert!(text.contains("a shape like this is not refined"), "{text}");
         let volume = scene(folder.path(), &hollow, &[]).unwrap().bodies[0].volume();
         let exact = 4.0 / 3.0 * std::f64::consts::PI * 0.875e9;
         assert!((volume / exact - 1.0).abs() < 3e-5, "{volume} {exact}");

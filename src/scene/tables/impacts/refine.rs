@@ -131,6 +131,9 @@ fn check_target(document: &Document, target: &Body, number: usize) -> Result<()>
         _ if target.rubble.is_some() => Some(("rubble", "the blocks of a pile are not cut", "a body without `rubble`")),
         _ if target.blast.is_some() => Some(("blast", "a blast heats one body", "a body without `blast`")),
         BodyShape::Heap { .. } => Some(("shape", "a heap is not refined", "sphere, box, cylinder, half_sphere")),
+        BodyShape::Ellipsoid { .. } | BodyShape::Mesh(_) | BodyShape::Compound(_) => {
+            Some(("shape", "a shape like this is not refined", "sphere, box, cylinder, half_sphere"))
+        }
         BodyShape::HalfSphere { inner, .. } if inner > 0.0 => Some((
             "shape",
             "the point of impact lies in the hollow of the half sphere",
