@@ -24,6 +24,7 @@ pub enum Kernel {
 
 impl Kernel {
     /// W at a distance `r`, m, of two (1/m^2) or three (1/m^3) dimensions.
+    #[inline]
     pub fn value(self, r: f64, h: f64, dimension: usize) -> f64 {
         let q = r / h;
         let shape = match self {
@@ -34,6 +35,7 @@ impl Kernel {
     }
 
     /// dW/dr, 1/m^3 or 1/m^4.
+    #[inline]
     pub fn slope(self, r: f64, h: f64, dimension: usize) -> f64 {
         let q = r / h;
         let shape = match self {
@@ -43,6 +45,7 @@ impl Kernel {
         self.normalisation(dimension) * shape / (volume(h, dimension) * h)
     }
 
+    #[inline]
     fn normalisation(self, dimension: usize) -> f64 {
         match (self, dimension) {
             (Self::CubicSpline, 2) => CubicSpline::normalisation::<2>(),
@@ -54,6 +57,7 @@ impl Kernel {
 }
 
 /// h^d.
+#[inline]
 fn volume(h: f64, dimension: usize) -> f64 {
     if dimension == 2 { h * h } else { h * h * h }
 }

@@ -1,13 +1,17 @@
 //! A hydrocode for impacts into strong, brittle, porous and dusty bodies: smoothed particle hydrodynamics, distributed with MPI.
 
+pub use sph_mpi_kernels::{kernel, math, random};
+/// Interactions of pairs of particles: their terms, and the loops over them.
+pub mod pair {
+    pub use sph_mpi_kernels::pair::*;
+    pub use sph_mpi_loops::PairLoop;
+}
+
 pub mod error;
-pub mod math;
 pub mod units;
 pub mod warning;
 
-pub mod kernel;
 pub mod particles;
-pub mod random;
 
 pub mod domain;
 pub mod neighbours;
@@ -15,7 +19,6 @@ pub mod neighbours;
 pub mod gravity;
 pub mod material;
 pub mod motion;
-pub mod pair;
 
 pub mod exact;
 pub mod outcome;

@@ -227,7 +227,13 @@ fn check_machine(args: &Args, comm: &Comm) -> Result<()> {
         }
         _ => Ok(()),
     };
-    agree(comm, threads.and(lanes::check_requested()).and(Fault::check()))
+    agree(comm, threads.and(check_instruction_set()).and(Fault::check()))
+}
+
+/// An error where the environment requests an instruction set that nobody knows.
+fn check_instruction_set() -> Result<()> {
+    let Some(request) = lanes::unknown_request() else { return Ok(()) };
+    Err(Error::new(format!("`{request}` is not an instruction set")).at(lanes::VARIABLE).allowed(lanes::SETS))
 }
 
 /// Directory, threads, signals; the lock of the directory, on rank 0.

@@ -22,7 +22,7 @@ const FLOORS: [&[&str]; 15] = [
     &["study"],
     &["cli"],
     &["program"],
-    &["main", "lib"],
+    &["main", "lib", "kernels"],
 ];
 
 /// The one file that names MPI. Output hands its raw communicator to HDF5.

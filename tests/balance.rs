@@ -17,7 +17,7 @@ fn impact() -> Local<3> {
     let mut sites = Vec::new();
     for (number, body) in scene.bodies.iter().enumerate() {
         let h = body.expected_smoothing_length(scene.numerics.eta);
-        let radius = SUPPORT * (1.0 + scene.numerics.skin) * h;
+        let radius = SUPPORT * (1.0 + scene.numerics.skin.first()) * h;
         let site = |(site, position)| Site { id: ParticleId::new(number, site).0, position, radius };
         sites.extend(body.sites(0..body.lattice_sites()).map(site));
     }

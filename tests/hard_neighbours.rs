@@ -396,7 +396,7 @@ until = 1
 #[test]
 fn no_list_lacks_a_pair() {
     ranks(1, "hard_neighbours::no_list_lacks_a_pair", |comm| {
-        for (skin, builds) in [("0", 40), ("0.05", 15), ("0.2", 4)] {
+        for (skin, builds) in [("0", 40), ("0.05", 15), ("0.2", 4), ("auto", 4)] {
             let mut hand =
                 ByHand::<3>::with(BALL, &[&format!("numerics.skin={skin}")], comm, |columns, settings, _| {
                     for i in 0..columns.len() {
@@ -415,6 +415,38 @@ fn no_list_lacks_a_pair() {
             println!("skin {skin}: {built} lists in 40 steps");
             assert!(built >= builds, "skin {skin}: {built} lists");
         }
+    });
+}
+
+/// Where little of a body moves fast, skins of its own let lists last longer than one skin for all, and hold less; none lacks a pair.
+#[test]
+fn fast_matter_alone_has_wide_skins() {
+    ranks(1, "hard_neighbours::fast_matter_alone_has_wide_skins", |comm| {
+        let of = |skin: &str| {
+            let changes = ["ball.spacing=7 cm", &format!("numerics.skin={skin}")];
+            let mut hand = ByHand::<3>::with(BALL, &changes, comm, |columns, settings, _| {
+                let core = settings.view.core;
+                let top = (0..columns.len()).map(|i| columns.get(core.position, i).z).fold(0.0, f64::max);
+                for i in 0..columns.len() {
+                    if columns.get(core.position, i).z > 0.9 * top {
+                        let draw = |k| uniform(5, i as u64, k) - 0.5;
+                        columns.set(core.velocity, i, Vec3::new(draw(0), draw(1), draw(2)) * 4e3);
+                    }
+                }
+            });
+            let (before, mut entries) = (hand.stepper.counters.list_builds, 0.0);
+            for step in 0..20 {
+                let seen = hand.stepper.counters.pairs;
+                hand.step(f64::INFINITY);
+                assert_eq!(hand.stepper.counters.pairs - seen, pairs(&hand), "skin {skin}, step {step}");
+                entries += hand.stepper.neighbourhood.list_size().entries / 20.0;
+            }
+            let built = hand.stepper.counters.list_builds - before;
+            println!("skin {skin}: {built} lists in 20 steps, {entries:.0} entries");
+            (built, entries)
+        };
+        let (one, own) = (of("0.1"), of("auto"));
+        assert!(3 * own.0 <= 2 * one.0 && own.1 < one.1, "{own:?} {one:?}");
     });
 }
 

@@ -52,5 +52,6 @@ mod sameness;
 mod scenes;
 mod shapes;
 mod studies;
+mod tables;
 mod viscosity;
 mod warnings;

@@ -42,13 +42,14 @@ picture = false
 "#;
 
 /// What every scene has, name and words per particle.
-const CORE: [(&str, usize); 12] = [
+const CORE: [(&str, usize); 13] = [
     ("id", 1),
     ("position", 3),
     ("velocity", 3),
     ("acceleration", 3),
     ("jerk", 3),
     ("build_position", 3),
+    ("skin", 1),
     ("density", 1),
     ("density_rate", 1),
     ("pressure", 1),

@@ -2,7 +2,7 @@
 //! speaks up before two particles that are not listed come within their supports.
 
 use crate::common::same_on_any_ranks;
-use sph_mpi::domain::ghosts::Extent;
+use sph_mpi::domain::ghosts::Territory;
 use sph_mpi::domain::{Basis, Comm, Decomposition, Displacements, Handles, Space, Watch};
 use sph_mpi::math::Vec3;
 use sph_mpi::neighbours::NeighbourList;
@@ -276,7 +276,7 @@ fn a_pair_is_stopped_before_it_meets() {
             let mut owned: Vec<_> =
                 mine.iter().map(|&i| Site { id: i as u64, position: at[i], radius: 1.0 + SKIN }).collect();
             owned.sort_by_key(|site| lattice.place(site));
-            let mut watch = Watch::build(&lattice, &owned, &Extent::all(&owned, comm), comm);
+            let mut watch = Watch::build(&lattice, &owned, &Territory::all(&owned, &lattice, comm), comm);
             let build_position: Vec<f64> = owned.iter().flat_map(|site| site.position).collect();
             let mut nearer = 0.0;
             loop {

@@ -294,3 +294,19 @@ fn words_make_a_map() {
     let output = launch(1, wrong.path(), &["study.toml", "--out", "run"]).run().expect_code(2);
     assert!(output.stderr.contains("runs have no figure `fragments.outcom`"), "{}", output.stderr);
 }
+
+/// What a scene's text names is read for its study, too.
+#[test]
+fn a_study_takes_the_shape_model_of_its_scene() {
+    let dir = folder(
+        "[study]\nscene = \"tube.toml\"\nerror = \"energy_drift\"\nagainst = \"finest\"\n\
+         [study.resolution]\nlump.spacing = [\"30 m\", \"20 m\"]\n",
+    );
+    let lump = Path::new(env!("CARGO_MANIFEST_DIR")).join("inputs/shapes/lump.obj");
+    fs::copy(lump, dir.path().join("lump.obj")).expect("a shape model");
+    let scene = "[[body]]\nname = \"lump\"\nshape = { mesh = { file = \"lump.obj\", size = \"200 m\" } }\n\
+        material = \"basalt\"\nspacing = \"30 m\"\n[run]\nuntil = \"1 ms\"\n";
+    fs::write(dir.path().join("tube.toml"), scene).expect("a scene");
+    let out = launch(2, dir.path(), &["study.toml", "--check"]).run().expect_code(0);
+    assert!(out.stdout.contains("all 2 points"), "{}", out.stdout);
+}

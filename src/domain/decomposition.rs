@@ -4,7 +4,7 @@
 
 use super::bisection::Bisection;
 use super::comm::Comm;
-use super::ghosts::{Extent, Ghosts};
+use super::ghosts::{Ghosts, Territory};
 use super::migration::migrate;
 use super::watch::Watch;
 use crate::math::Vec3;
@@ -62,12 +62,12 @@ impl<const D: usize> Decomposition<D> {
         let Basis { handles, space, words } = basis;
         let costs = vec![1; columns.len()];
         let bisection = Bisection::new(columns.numbers(handles.build_position.index), &costs, comm.size(), comm);
-        let extents = Extent::all(&[], comm);
+        let territories = Territory::all(&[], &space.lattice, comm);
         let mut new = Self {
             bisection,
             local: Local::default(),
-            ghosts: Ghosts::build::<D>(&[], &extents, words, &Periods::OPEN, comm).0,
-            watch: Watch::build(&space.lattice, &[], &extents, comm),
+            ghosts: Ghosts::build::<D>(&[], &territories, words, &Periods::OPEN, comm).0,
+            watch: Watch::build(&space.lattice, &[], &territories, comm),
             migrated: 0,
             space,
             handles,
@@ -89,14 +89,14 @@ impl<const D: usize> Decomposition<D> {
         let places = self.sort(columns, list_radius);
         let mut sites = large_pages::with_capacity(columns.len());
         self.each(columns, list_radius, |site| site).collect_into_vec(&mut sites);
-        let extents = Extent::all(&sites, comm);
-        let (ghosts, incoming) = Ghosts::build(&sites, &extents, self.ghosts.words, &self.space.periods, comm);
+        let territories = Territory::all(&sites, &self.space.lattice, comm);
+        let (ghosts, incoming) = Ghosts::build(&sites, &territories, self.ghosts.words, &self.space.periods, comm);
         self.ghosts = ghosts;
         self.local.build_placed(&self.space.lattice, &sites, places, &incoming);
         let radii = sites.iter().map(|site| site.radius).collect();
         drop(sites);
         let places = self.local.slot_of_owned.iter().map(|&slot| self.local.places[slot as usize]);
-        self.watch = Watch::build_placed(&self.space.lattice, radii, places, &extents, comm);
+        self.watch = Watch::build_placed(&self.space.lattice, radii, places, &territories, comm);
     }
 
     /// Brings columns into canonical order and returns the places of the particles.

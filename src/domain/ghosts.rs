@@ -1,16 +1,64 @@
 //! Ghosts: particles of other ranks that this one's may have as neighbours until the next list build, and the messages that
 //! bring their pair records. Between builds the pattern is fixed.
 //!
-//! A particle is a ghost on another rank if it lies nearer to that rank's tight box than the larger of its own list radius
-//! and the largest one there. That is more than the neighbours; lists take what is near, so the surplus changes nothing.
+//! A particle is a ghost on another rank if it lies nearer to a tight box of that rank's particles than the larger of its own list radius
+//! and the largest one in the box; a rank has a box for each level of cells, so that few particles which reach far bring few ghosts.
+//! That is more than the neighbours; lists take what is near, so the surplus changes nothing.
 //!
 //! Along periodic axes the same holds for a particle's images, of which a rank may need those of its own particles, too:
 //! ordinary ghosts that come with a shift.
 
 use super::comm::{Comm, Exchange};
-use crate::particles::{Periods, Site};
+use crate::particles::{Lattice, Periods, Site};
+
+/// Boxes of a rank: for the particles of the lowest levels of cells one each, and one for all above.
+const BOXES: usize = 4;
 
 /// Where a rank's particles are, and how far they reach.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Territory<const D: usize> {
+    /// Of each box that holds any.
+    boxes: Vec<Extent<D>>,
+}
+
+impl<const D: usize> Territory<D> {
+    /// The territories of all ranks. Collective.
+    pub fn all(sites: &[Site<D>], lattice: &Lattice, comm: &Comm) -> Vec<Self> {
+        let mut mine = [Extent::EMPTY; BOXES];
+        sites.iter().for_each(|site| mine[(lattice.level(site.radius) as usize).min(BOXES - 1)].add(site));
+        let words: Vec<f64> = mine.into_iter().flat_map(Extent::to_words).collect();
+        let numbers = Extent::<D>::WORDS;
+        let read = |all: &[f64]| {
+            let boxes = all.chunks_exact(numbers).map(Extent::from_words).filter(|extent| !extent.is_empty());
+            Self { boxes: boxes.collect() }
+        };
+        comm.all_gather(&words).chunks_exact(BOXES * numbers).map(read).collect()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.boxes.is_empty()
+    }
+
+    /// One box around all, inverted where there are no particles.
+    pub fn whole(&self) -> Extent<D> {
+        let mut whole = Extent::EMPTY;
+        self.boxes.iter().for_each(|extent| whole.merge(extent));
+        whole
+    }
+
+    /// Whether a particle of another rank is a ghost here.
+    pub fn needs(&self, site: &Site<D>) -> bool {
+        self.boxes.iter().any(|extent| extent.needs(site))
+    }
+
+    /// Whether images of the other rank's particles at this shift may be ghosts here.
+    fn may_need(&self, other: &Self, shift: &[f64; D]) -> bool {
+        let near = |theirs: &Extent<D>| self.boxes.iter().any(|mine| mine.may_need(&theirs.shifted(shift)));
+        other.boxes.iter().any(near)
+    }
+}
+
+/// A box that holds particles, and how far they reach.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent<const D: usize> {
     pub low: [f64; D],
@@ -20,32 +68,40 @@ pub struct Extent<const D: usize> {
 }
 
 impl<const D: usize> Extent<D> {
-    /// Inverted and infinite where there are no particles: infinitely far from everything.
+    /// Without particles: inverted, infinitely far from everything.
+    const EMPTY: Self = Self { low: [f64::INFINITY; D], high: [f64::NEG_INFINITY; D], radius: 0.0 };
+
+    /// Numbers of an extent.
+    const WORDS: usize = 2 * D + 1;
+
     pub fn of(sites: &[Site<D>]) -> Self {
-        let empty = Self { low: [f64::INFINITY; D], high: [f64::NEG_INFINITY; D], radius: 0.0 };
-        sites.iter().fold(empty, |mut extent, site| {
-            for k in 0..D {
-                extent.low[k] = extent.low[k].min(site.position[k]);
-                extent.high[k] = extent.high[k].max(site.position[k]);
-            }
-            extent.radius = extent.radius.max(site.radius);
-            extent
-        })
+        let mut extent = Self::EMPTY;
+        sites.iter().for_each(|site| extent.add(site));
+        extent
     }
 
-    /// The extents of all ranks. Collective.
-    pub fn all(sites: &[Site<D>], comm: &Comm) -> Vec<Self> {
-        let mine = Self::of(sites);
-        let mut words = Vec::with_capacity(2 * D + 1);
-        words.extend(mine.low);
-        words.extend(mine.high);
-        words.push(mine.radius);
-        let read = |w: &[f64]| Self {
-            low: std::array::from_fn(|k| w[k]),
-            high: std::array::from_fn(|k| w[D + k]),
-            radius: w[2 * D],
-        };
-        comm.all_gather(&words).chunks_exact(2 * D + 1).map(read).collect()
+    fn add(&mut self, site: &Site<D>) {
+        self.merge(&Self { low: site.position, high: site.position, radius: site.radius });
+    }
+
+    fn merge(&mut self, other: &Self) {
+        for k in 0..D {
+            self.low[k] = self.low[k].min(other.low[k]);
+            self.high[k] = self.high[k].max(other.high[k]);
+        }
+        self.radius = self.radius.max(other.radius);
+    }
+
+    fn to_words(self) -> impl Iterator<Item = f64> {
+        self.low.into_iter().chain(self.high).chain([self.radius])
+    }
+
+    fn from_words(words: &[f64]) -> Self {
+        Self {
+            low: std::array::from_fn(|k| words[k]),
+            high: std::array::from_fn(|k| words[D + k]),
+            radius: words[2 * D],
+        }
     }
 
     pub fn is_empty(&self) -> bool {
@@ -107,24 +163,24 @@ impl Ghosts {
     /// incoming particles too, in message order. Collective.
     pub fn build<const D: usize>(
         owned: &[Site<D>],
-        extents: &[Extent<D>],
+        territories: &[Territory<D>],
         words: usize,
         periods: &Periods,
         comm: &Comm,
     ) -> (Self, Vec<Site<D>>) {
-        let mine = &extents[comm.rank()];
+        let mine = &territories[comm.rank()];
         let (mut send_indices, mut send_shifts) = (Vec::new(), Vec::new());
         let (mut sends, mut messages) = (Vec::new(), Vec::new());
         let shifts = periods.shifts::<D>();
-        for (rank, extent) in extents.iter().enumerate() {
+        for (rank, territory) in territories.iter().enumerate() {
             let start = send_indices.len();
             let mut message = Vec::new();
             for (number, shift) in shifts.iter().enumerate() {
-                if (rank == comm.rank() && number == 0) || !extent.may_need(&mine.shifted(shift)) {
+                if (rank == comm.rank() && number == 0) || !territory.may_need(mine, shift) {
                     continue;
                 }
                 let images = owned.iter().map(|site| site.shifted(shift)).zip(0u32..);
-                for (image, i) in images.filter(|(image, _)| extent.needs(image)) {
+                for (image, i) in images.filter(|(image, _)| territory.needs(image)) {
                     send_indices.push(i);
                     message.extend(to_words(&image));
                     if shifts.len() > 1 {
@@ -218,6 +274,19 @@ mod tests {
         assert!(
             nobody.is_empty() && !nobody.needs(&at(0.0, 1e9)) && !extent.may_need(&nobody) && !nobody.may_need(&extent)
         );
+    }
+
+    /// A particle that reaches far brings ghosts around itself alone.
+    #[test]
+    fn each_level_has_a_box() {
+        let at = |x: f64, radius| Site { id: 0, position: [x, 0.0], radius };
+        let sites: Vec<_> = (0..100).map(|k| at(k as f64, if k == 50 { 3.0 } else { 1.0 })).collect();
+        let [near, far] = [&sites[..50], &sites[50..51]].map(Extent::of);
+        let territory = Territory { boxes: vec![near, far] };
+        let beside = |x: f64, y: f64| territory.needs(&Site { id: 0, position: [x, y], radius: 1.0 });
+        assert!(beside(10.0, 0.9) && beside(50.0, 2.9) && beside(52.0, 2.0));
+        assert!(!beside(10.0, 1.1) && !beside(46.9, 1.1) && !beside(50.0, 3.1));
+        assert_eq!(territory.whole(), Extent { low: [0.0; 2], high: [50.0, 0.0], radius: 3.0 });
     }
 
     #[test]

@@ -13,6 +13,6 @@ pub use bisection::Bisection;
 pub use closing::{Closing, Moving};
 pub use comm::{Comm, Exchange, Network};
 pub use decomposition::{Basis, Decomposition, Handles, Space};
-pub use ghosts::{Ghosts, SomeGhosts};
+pub use ghosts::{Ghosts, SomeGhosts, Territory};
 pub use velocities::relative;
 pub use watch::{Displacements, Watch};

@@ -26,7 +26,7 @@
 use rayon::prelude::*;
 
 use super::comm::{Comm, Exchange};
-use super::ghosts::Extent;
+use super::ghosts::{Extent, Territory};
 use super::velocities::{Velocities, relative};
 use crate::particles::cells::{CellTable, MAX_LEVEL};
 use crate::particles::curve::{self, Block};
@@ -169,9 +169,9 @@ pub(super) struct Blocks {
 
 impl<const D: usize> Watch<D> {
     /// `owned`: in canonical order. Collective.
-    pub fn build(lattice: &Lattice, owned: &[Site<D>], extents: &[Extent<D>], comm: &Comm) -> Self {
+    pub fn build(lattice: &Lattice, owned: &[Site<D>], territories: &[Territory<D>], comm: &Comm) -> Self {
         let radii = owned.iter().map(|site| site.radius).collect();
-        Self::build_placed(lattice, radii, owned.iter().map(|site| lattice.place(site)), extents, comm)
+        Self::build_placed(lattice, radii, owned.iter().map(|site| lattice.place(site)), territories, comm)
     }
 
     /// Like [`Watch::build`], from list radii and places alone. Collective.
@@ -179,10 +179,11 @@ impl<const D: usize> Watch<D> {
         lattice: &Lattice,
         radii: Vec<f64>,
         places: impl Iterator<Item = Place>,
-        extents: &[Extent<D>],
+        territories: &[Territory<D>],
         comm: &Comm,
     ) -> Self {
-        let widest = widest_level(lattice, extents);
+        let extents: Vec<Extent<D>> = territories.iter().map(Territory::whole).collect();
+        let widest = widest_level(lattice, &extents);
         let above = if lattice.is_periodic() { 0 } else { ABOVE };
         let (cells, levels) = own_cells::<D>(places, radii.len(), (widest + above).min(MAX_LEVEL));
         let mut reach: Vec<f64> = Vec::with_capacity(cells.len());
@@ -247,6 +248,27 @@ impl<const D: usize> Watch<D> {
         let (blocks, summaries) = (&self.blocks, &self.summaries);
         let each = (0..blocks.reach.len()).into_par_iter().with_min_len(CELLS);
         each.map(|b| blocks.used(b, summaries)).reduce(|| 0.0, f64::max).max(farthest / self.farthest)
+    }
+
+    /// How far matter around each owned particle has moved against each other, m, between the last build and the last call of
+    /// [`Watch::skin_used`]: the most in any block of its level that holds it.
+    pub fn moves_around(&self) -> Vec<f64> {
+        let (blocks, summaries) = (&self.blocks, &self.summaries);
+        let each = (0..blocks.reach.len()).into_par_iter().with_min_len(CELLS);
+        let moved: Vec<f64> = each.map(|block| blocks.moved(block, summaries).0).collect();
+        let mut most = vec![0.0f64; self.cells.len()];
+        for (block, moved) in moved.into_iter().enumerate() {
+            for &cell in blocks.cells_of(block) {
+                if let Some(most) = most.get_mut(cell as usize) {
+                    *most = most.max(moved);
+                }
+            }
+        }
+        let mut around = vec![0.0; self.radii.len()];
+        for (cell, most) in self.cells.iter().zip(most) {
+            around[cell.particles.start as usize..cell.particles.end as usize].fill(most);
+        }
+        around
     }
 
     /// Brings the summaries of all cells to the present positions. Collective.

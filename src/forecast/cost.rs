@@ -17,7 +17,7 @@ use crate::pair::record::ViscousTerm;
 use crate::particles::Life;
 use crate::particles::columns::Entry;
 use crate::process::resources;
-use crate::scene::{Body, Precision, Scene, Snapshots, Until};
+use crate::scene::{Body, Precision, Scene, SkinRule, Snapshots, Until};
 use crate::simulation::footprint::Footprint;
 use crate::simulation::scales::free_fall_time;
 use crate::simulation::setup::{self, Plan};
@@ -181,7 +181,8 @@ fn load(scene: &Scene, plan: &Plan, footprint: &Footprint, life: f64) -> Load {
     let watch = 2.0 * footprint.ghosts / footprint.ghosts_per_cell * 8.0 * (2.0 * d + 2.0);
     let site = 8.0 * (d + 2.0);
     // Particles move by about the skin between two lists: of a layer as deep as a list radius, that share may change ranks.
-    let skin = scene.numerics.skin / (1.0 + scene.numerics.skin);
+    let skin = scene.numerics.skin.first();
+    let skin = skin / (1.0 + skin);
     Load {
         ranks: footprint.ranks,
         owned: footprint.owned,
@@ -197,12 +198,19 @@ fn load(scene: &Scene, plan: &Plan, footprint: &Footprint, life: f64) -> Load {
     }
 }
 
+/// Share of the particles that an impact moves fast, near the projectile, while lists live shortest.
+const HIT: f64 = 0.1;
+
 /// Steps until bodies of an impact have come nearer by the skin, and lists must be built: the shortest life there is, as all
 /// ranks build together.
 fn list_life(scene: &Scene, plan: &Plan) -> Option<f64> {
     let speed = scene.impact.as_ref()?.speed;
     let h = plan.constants.iter().map(|body| body.smoothing_length).fold(f64::INFINITY, f64::min);
-    Some((scene.numerics.skin * SUPPORT * h / (speed * step(scene, plan, speed).0)).max(1.0))
+    let delta = speed * step(scene, plan, speed).0 / (SUPPORT * h);
+    Some(match scene.numerics.skin {
+        SkinRule::Fixed(skin) => (skin / delta).max(1.0),
+        SkinRule::Auto => setup::skin_limits(scene).expected_life(HIT, delta),
+    })
 }
 
 fn one_step(alone: &Step, shared: &Step, pace: &Pace, life: f64, ranks: usize) -> String {
@@ -272,7 +280,7 @@ impl<'a> RunForecast<'a> {
         let work = steps * work_of_step(scene, plan, dt);
         let (files, bytes) = output(scene, plan, footprint.particles, end, work * cost.wall());
         let writing = bytes / pace.machine.files;
-        let inside = libm::pow(1.0 + scene.numerics.skin, -(scene.dimension as f64));
+        let inside = libm::pow(1.0 + scene.numerics.skin.first(), -(scene.dimension as f64));
         let price = PredictedCost {
             particles: footprint.particles,
             steps,

@@ -62,6 +62,7 @@ impl ExactSum {
     }
 
     /// Adds another sum.
+    #[inline]
     pub fn merge(&mut self, other: &Self) {
         for (mine, theirs) in self.limbs.iter_mut().zip(&other.limbs) {
             *mine += theirs;
@@ -85,6 +86,7 @@ impl ExactSum {
     }
 
     /// The limbs as they are; normalise first where they go into a message.
+    #[inline]
     pub fn limbs(&self) -> &[i64] {
         &self.limbs
     }

@@ -11,6 +11,7 @@ use crate::math::Sym;
 use crate::math::lanes::Lanes;
 
 /// R of one particle from its damaged stress.
+#[inline]
 pub fn artificial_stress(stress: &Sym, epsilon: f64) -> Sym {
     // A sum of moduli bounds every principal value: nothing to do where none can be in tension.
     let shear = stress.xy.abs() + stress.xz.abs() + stress.yz.abs();

@@ -40,6 +40,7 @@ pub unsafe fn beta_of<L: Lanes>(beta: L, rho_i: L, rho_j: L) -> L {
 }
 
 /// Whether the record of a particle with this density is that of a rigid body that does not adhere.
+#[inline]
 pub fn is_loose(density: f64) -> bool {
     density > DENSEST_THAT_ADHERES
 }

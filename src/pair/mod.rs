@@ -19,7 +19,6 @@ pub mod angular_momentum;
 pub mod artificial_stress;
 pub mod contrast;
 pub mod correction;
-pub mod dispatch;
 pub mod interact;
 pub mod reconstruction;
 pub mod record;
@@ -27,7 +26,6 @@ pub mod rows;
 pub mod stress;
 pub mod viscosity;
 
-pub use dispatch::PairLoop;
 pub use record::{Layout, Terms};
 pub use rows::{RowSums, Rows};
 

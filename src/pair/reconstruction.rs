@@ -63,6 +63,7 @@ const KEPT: f64 = 0.7;
 
 /// The gradient that carries values, s times the symmetric part of `gradient`, 1/s, in matter with waves of speed `c`, m/s, and
 /// smoothing length `h`, m.
+#[inline]
 pub fn slope(gradient: &Mat3, h: f64, c: f64) -> Sym {
     let inward = (-gradient.trace() * h).max(0.0);
     let smooth = if inward > 0.0 { 1.0 - KEPT * inward / (inward + STEEP * c) } else { 1.0 };

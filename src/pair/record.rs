@@ -55,15 +55,18 @@ pub enum ViscousTerm {
 }
 
 impl Terms {
+    #[inline]
     pub const fn tensor(&self) -> bool {
         matches!(self.stress, StressTerm::Tensor { .. })
     }
 
+    #[inline]
     pub const fn artificial_stress(&self) -> bool {
         matches!(self.stress, StressTerm::Tensor { artificial: true, .. })
     }
 
     /// Whether the velocity gradient is corrected.
+    #[inline]
     pub const fn corrects(&self) -> bool {
         matches!(
             self.stress,
@@ -73,6 +76,7 @@ impl Terms {
     }
 
     /// Whether pairs of very different density share the strain unevenly.
+    #[inline]
     pub const fn contrast(&self) -> bool {
         matches!(
             self.stress,
@@ -82,6 +86,7 @@ impl Terms {
     }
 
     /// Whether forces conserve angular momentum.
+    #[inline]
     pub const fn angular_momentum(&self) -> bool {
         matches!(
             self.stress,
@@ -90,11 +95,13 @@ impl Terms {
     }
 
     /// Whether viscosity acts on reconstructed velocities.
+    #[inline]
     pub const fn reconstructs(&self) -> bool {
         matches!(self.viscosity, ViscousTerm::Reconstructed)
     }
 
     /// Whether a pair heats beyond the work of the stress.
+    #[inline]
     pub const fn dissipates(&self) -> bool {
         !matches!(self.viscosity, ViscousTerm::Off) || self.artificial_stress() || self.contrast()
     }
@@ -112,54 +119,65 @@ impl Layout {
     pub const POSITION: usize = 0;
 
     /// m/s, D numbers.
+    #[inline]
     pub const fn velocity(&self) -> usize {
         self.dimension
     }
 
     /// Damaged stress, Pa: xx yy zz xy xz yz in 3D, xx yy xy in 2D; -P alone without strength.
+    #[inline]
     pub const fn stress(&self) -> usize {
         2 * self.dimension
     }
 
+    #[inline]
     pub const fn stress_words(&self) -> usize {
         if self.terms.tensor() { self.tensor_words() } else { 1 }
     }
 
+    #[inline]
     pub const fn tensor_words(&self) -> usize {
         self.dimension * (self.dimension + 1) / 2
     }
 
     /// V, m^3.
+    #[inline]
     pub const fn volume(&self) -> usize {
         self.stress() + self.stress_words()
     }
 
     /// m / V, kg/m^3: the density, but for particles whose volume is capped. From here on numbers are [`half`] words.
+    #[inline]
     pub const fn density(&self) -> usize {
         2 * (self.volume() + 1)
     }
 
     /// 1/h, 1/m.
+    #[inline]
     pub const fn h_inverse(&self) -> usize {
         self.density() + 1
     }
 
     /// alpha c, m/s, where there is viscosity.
+    #[inline]
     pub const fn alpha_c(&self) -> usize {
         self.density() + 2
     }
 
     /// beta, where materials differ in it.
+    #[inline]
     pub const fn beta(&self) -> usize {
         self.density() + 3
     }
 
     /// The gradient that carries velocities to the middle of a pair, 1/s.
+    #[inline]
     pub const fn slope(&self) -> usize {
         self.density() + 4
     }
 
     /// Artificial stress, Pa.
+    #[inline]
     pub const fn artificial(&self) -> usize {
         self.density()
             + match self.terms.viscosity {
@@ -171,10 +189,12 @@ impl Layout {
     }
 
     /// Axial vector of the antisymmetric stress, Pa: x y z in 3D, z in 2D.
+    #[inline]
     pub const fn axial(&self) -> usize {
         self.artificial() + if self.terms.artificial_stress() { self.tensor_words() } else { 0 }
     }
 
+    #[inline]
     pub const fn axial_words(&self) -> usize {
         match (self.terms.angular_momentum(), self.dimension) {
             (false, _) => 0,
@@ -184,11 +204,13 @@ impl Layout {
     }
 
     /// Numbers of a record; a ghost record sends just these.
+    #[inline]
     pub const fn words(&self) -> usize {
         (self.axial() + self.axial_words()).div_ceil(2)
     }
 
     /// Numbers from one record to the next: whole lines of 64 bytes.
+    #[inline]
     pub const fn stride(&self) -> usize {
         self.words().div_ceil(8) * 8
     }
@@ -203,11 +225,13 @@ impl Layout {
 
 /// A number of which only the first 32 bits are in a record, to 5e-7. These enter both sides of a pair alike, so that sums are
 /// conserved as exactly as with all bits, and a solid's record takes two lines.
+#[inline]
 pub fn half(record: &[f64], k: usize) -> f64 {
     f64::from_bits(u64::from(bytemuck::cast_slice::<f64, u32>(record)[k]) << 32)
 }
 
 /// Rounds `x` into its place, see [`half`].
+#[inline]
 pub fn set_half(record: &mut [f64], k: usize, x: f64) {
     bytemuck::cast_slice_mut::<f64, u32>(record)[k] = ((x.to_bits() + (1 << 31)) >> 32) as u32;
 }

@@ -56,7 +56,7 @@ impl Footprint {
         let particles: u64 = plan.constants.iter().map(|body| body.particles).sum();
         let owned = particles as f64 / ranks as f64;
         // In spacings: h = eta (m / rho)^(1/d), and there is one particle per spacing^d.
-        let reach = SUPPORT * (1.0 + scene.numerics.skin) * scene.numerics.eta;
+        let reach = SUPPORT * (1.0 + scene.numerics.skin.first()) * scene.numerics.eta;
         let cuts = cuts(ranks, dimension);
         let ghosts = ghosts(particles as f64, &cuts, reach);
         let total =

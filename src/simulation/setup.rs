@@ -20,13 +20,16 @@ use crate::pair::rows::Constants;
 use crate::pair::{PairLoop, Terms};
 use crate::pair::{artificial_stress, contrast};
 use crate::particles::{Column, Columns, ParticleId, Registry};
-use crate::scene::{Blast, Body, Flow, InitialState, IntegratorRule, Pressed, Scene, SmoothingLengthRule, Until};
+use crate::scene::{
+    Blast, Body, Flow, InitialState, IntegratorRule, Pressed, Scene, SkinRule, SmoothingLengthRule, Until,
+};
 use crate::step::StepSettings;
 use crate::step::contact::Contact;
 use crate::step::integrator::{CashKarp, Integrator, PredictorCorrector, RungeKutta};
 use crate::step::pack::{Moments, Packer};
 use crate::step::packing::DensityRelaxation;
 use crate::step::rates::{RateColumns, RateSettings};
+use crate::step::skin::{Limits, Skin};
 use crate::step::slopes::Slopes;
 use crate::step::switch::ViscositySwitch;
 
@@ -43,6 +46,7 @@ pub struct Plan {
     pub contact: Option<Contact>,
     pub gravity: Option<Attraction>,
     pub two_rates: Option<RateSettings>,
+    pub skin: Skin,
     pub divergence: Option<Column<f64>>,
     pub switch: Option<ViscositySwitch>,
     pub relaxation: Option<DensityRelaxation>,
@@ -156,6 +160,7 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
         Slopes::declare(&mut registry);
     }
     let contact = view.standing.contains(&contrast::LOOSE).then(|| Contact::declare(&mut registry));
+    let skin = skin(scene, &mut registry);
     let integrator = integrator(scene, &mut registry, &view)?;
     let two_rates = scene.two_rates.as_ref().map(|rates| RateSettings {
         bodies: rates.fast.clone(),
@@ -174,6 +179,7 @@ pub fn plan_with(scene: &Scene, constants: Vec<BodyConstants>, more: &[Declare])
         contact,
         gravity,
         two_rates,
+        skin,
         divergence,
         switch,
         relaxation,
@@ -251,6 +257,20 @@ fn terms(scene: &Scene, view: &ParticleView) -> Terms {
             (true, false) => ViscousTerm::OwnBeta,
         },
     }
+}
+
+/// The margin of neighbour lists.
+fn skin(scene: &Scene, registry: &mut Registry) -> Skin {
+    match scene.numerics.skin {
+        SkinRule::Fixed(skin) => Skin::Fixed(skin),
+        SkinRule::Auto => Skin::own(skin_limits(scene), registry),
+    }
+}
+
+/// What bounds skins that particles have of their own.
+pub fn skin_limits(scene: &Scene) -> Limits {
+    let (rule, periodic, dimension) = (scene.numerics.skin, scene.periods.any(), scene.dimension);
+    Limits { first: rule.first(), of_cells: rule.of_cells(), widest: rule.widest(periodic), dimension }
 }
 
 /// Whether uniform gravity acts along a period.
@@ -354,7 +374,7 @@ impl Plan {
             relaxation: self.relaxation,
             pair_loop,
             cfl: numerics.cfl,
-            skin: numerics.skin,
+            skin: self.skin,
         }
     }
 }

@@ -62,7 +62,8 @@ impl<const D: usize> Stepper<'_, D> {
         self.buffers.released = false;
         let start = Instant::now();
         if fresh {
-            self.neighbourhood.start_afresh(&mut self.columns, &self.settings);
+            let age = std::mem::take(&mut self.state.list_age);
+            self.neighbourhood.start_afresh(&mut self.columns, &self.settings, age, self.comm);
             let (steps, small_steps) = (self.coming(), self.small_steps_made());
             let load = Load { phases: &self.phases, steps, small_steps };
             let rebisected = self.neighbourhood.balance(&self.columns, &load, self.comm);

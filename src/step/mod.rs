@@ -21,6 +21,7 @@ pub mod rates;
 pub mod reduction;
 mod rigid;
 pub mod settings;
+pub mod skin;
 pub mod slopes;
 pub mod stepper;
 pub mod switch;

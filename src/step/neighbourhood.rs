@@ -5,6 +5,7 @@
 use super::integrator::AT_START;
 use super::phases::{Phase, Phases};
 use super::settings::StepSettings;
+use super::skin::Skin;
 use crate::domain::comm::Comm;
 use crate::domain::{Basis, Closing, Decomposition, Displacements, Handles, Moving, SomeGhosts, Space, Watch};
 use crate::gravity::ROUNDS;
@@ -54,8 +55,6 @@ pub struct Neighbourhood<const D: usize> {
     rounds: Option<Column<Vec3>>,
     /// Copies of positions and of crossings at the beginning of the step, where an integrator has them.
     at_start: [Option<Column<Vec3>>; 2],
-    /// List radius over smoothing length.
-    reach: f64,
     space: Space,
     words: usize,
     costs: Vec<u32>,
@@ -76,7 +75,7 @@ pub struct Neighbourhood<const D: usize> {
 impl<const D: usize> Neighbourhood<D> {
     pub fn new(registry: &Registry, settings: &StepSettings) -> Self {
         let core = settings.view.core;
-        let reach = SUPPORT * (1.0 + settings.skin);
+        let reach = SUPPORT * (1.0 + settings.skin.of_cells());
         Self {
             decomposition: None,
             list: NeighbourList::new(&settings.view.rigid),
@@ -86,7 +85,6 @@ impl<const D: usize> Neighbourhood<D> {
             core,
             rounds: registry.find(ROUNDS),
             at_start: ["position", ROUNDS].map(|name| registry.find(&format!("{name}{AT_START}"))),
-            reach,
             space: Space { lattice: lattice(reach, settings), periods: settings.periods },
             words: settings.pair_loop.layout().words(),
             costs: Vec::new(),
@@ -117,13 +115,25 @@ impl<const D: usize> Neighbourhood<D> {
         self.decomposition.as_mut().expect("particles are distributed first")
     }
 
-    /// Bases the next build on the present positions and smoothing lengths.
-    pub fn start_afresh(&self, columns: &mut Columns, settings: &StepSettings) {
+    /// Bases the next build on the present positions and smoothing lengths; the lists before it were used for `age` evaluations. Collective.
+    pub fn start_afresh(&self, columns: &mut Columns, settings: &StepSettings, age: u64, comm: &Comm) {
+        self.choose_skins(columns, settings, age, comm);
         self.wrap(columns);
         columns.copy(self.core.position.index, self.core.build_position.index);
         if let Some([now, at_build]) = settings.view.varying_smoothing_length() {
             columns.copy(now.index, at_build.index);
         }
+    }
+
+    /// Skins of the next lists, by how matter has moved while the last ones were used.
+    fn choose_skins(&self, columns: &mut Columns, settings: &StepSettings, age: u64, comm: &Comm) {
+        let Skin::Own(own) = settings.skin else { return };
+        let Some(Decomposition { watch, .. }) = &self.decomposition else { return own.begin(columns) };
+        let view = &settings.view;
+        let support =
+            |i: usize| SUPPORT * view.smoothing_length_at_build(columns, i, columns.get(view.core.id, i).body());
+        let moved: Vec<f64> = (0..).zip(watch.moves_around()).map(|(i, moved)| moved / support(i)).collect();
+        own.choose(columns, &moved, age, comm);
     }
 
     /// Brings positions back into the periods, and with them their copies at the beginning of the step: later stages start from these.
@@ -149,9 +159,10 @@ impl<const D: usize> Neighbourhood<D> {
 
     /// Distributes particles over ranks and finds the ghosts, on build positions. Collective.
     pub fn distribute(&mut self, columns: &mut Columns, settings: &StepSettings, comm: &Comm) {
-        let (reach, view) = (self.reach, &settings.view);
+        let (skin, view) = (settings.skin, &settings.view);
         let radius = |columns: &Columns, i: usize| {
-            reach * view.smoothing_length_at_build(columns, i, columns.get(view.core.id, i).body())
+            let h = view.smoothing_length_at_build(columns, i, columns.get(view.core.id, i).body());
+            SUPPORT * (1.0 + skin.at_build(columns, i)) * h
         };
         match &mut self.decomposition {
             Some(decomposition) => decomposition.rebuild_from_build_positions(columns, &radius, comm),

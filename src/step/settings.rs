@@ -7,6 +7,7 @@ use super::integrator::Integrator;
 use super::pack::Packer;
 use super::packing::DensityRelaxation;
 use super::rates::RateSettings;
+use super::skin::Skin;
 use super::switch::ViscositySwitch;
 use crate::gravity::{Attraction, Timing};
 use crate::material::{MaterialEffect, ParticleView};
@@ -40,8 +41,8 @@ pub struct StepSettings {
     pub periods: Periods,
     /// Courant number.
     pub cfl: f64,
-    /// Skin of the neighbour lists over the support.
-    pub skin: f64,
+    /// Margin of the neighbour lists.
+    pub skin: Skin,
 }
 
 impl StepSettings {
@@ -63,6 +64,8 @@ pub struct StepState {
     pub next: f64,
     /// The last step, s; 0 before the first.
     pub last: f64,
+    /// Evaluations with the present lists.
+    pub list_age: u64,
     /// When the particles' own gravity was evaluated.
     pub gravity: Timing,
     /// The rigid bodies, where there are any.

@@ -173,8 +173,8 @@ impl<'c, const D: usize> Stepper<'c, D> {
             reduction::before_evaluation(&self.collect(), 0.0, self.coming(), self.comm)?;
         }
         let next = self.next_step(reduced, most)?;
-        let (step, StepState { gravity, rigid, small, .. }) = (self.coming(), std::mem::take(&mut self.state));
-        self.state = StepState { step, time, next, last: taken, gravity, rigid, small };
+        let before = std::mem::take(&mut self.state);
+        self.state = StepState { step: before.step + 1, time, next, last: taken, ..before };
         self.regroup();
         Ok(Stepped { taken, dt: next, signal: reduced.signal })
     }
@@ -204,6 +204,7 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.move_fast(moment);
         self.phases.add(Phase::Predict, start);
         let start = Instant::now();
+        self.state.list_age += 1;
         let used = self.neighbourhood.skin_used(&self.columns, &self.settings, self.comm);
         self.phases.add(Phase::Watch, start);
         let found = self.collect();

@@ -9,9 +9,9 @@ use super::combine::combined;
 use super::measure::Against;
 use super::settings::{Change, Settings};
 use crate::error::{Error, Result};
-use crate::scene::Scene;
 use crate::scene::answer::identity;
 use crate::scene::source::{Document, SourceText};
+use crate::scene::{self, Scene};
 use crate::simulation::require;
 
 /// Texts of a study and of its scene. Read by one rank; the result is the same on all.
@@ -81,7 +81,7 @@ pub fn read(study: SourceText) -> Result<Sources> {
         document.error("study.scene", what).allowed("the path of a scene, from the folder of the study's file")
     })?;
     drop(document);
-    Ok(Sources { study, scene })
+    Ok(Sources { study, scene: scene::with_files(scene)? })
 }
 
 /// `a/b/../c` is `a/c`.
@@ -200,7 +200,7 @@ impl Reader<'_> {
         let texts = changes.iter().map(|change| change.text());
         let pictures = (!self.settings.set.iter().any(|set| set.key == "output.picture")).then(|| NO_PICTURES.into());
         let overrides: Vec<String> = pictures.into_iter().chain(texts).collect();
-        let scene = Scene::parse(&self.sources.scene.path, &self.sources.scene.text, &overrides);
+        let scene = scene::with(&self.sources.scene, &overrides);
         scene.and_then(|scene| require(&scene).map(|()| scene)).map_err(|e| self.placed(e, changes))
     }
 

@@ -75,6 +75,7 @@ impl MaterialEffect for EquationOfState {
                 Eos::Tillotson(law) => range.for_each(|i| set(i, law.pressure(state(i).0, state(i).1))),
                 Eos::SimplifiedTillotson(law) => range.for_each(|i| set(i, law.pressure(state(i).0, state(i).1))),
                 Eos::IdealGas(law) => range.for_each(|i| set(i, law.pressure(state(i).0, state(i).1))),
+                Eos::Tabulated(law) => range.for_each(|i| set(i, law.pressure(state(i).0, state(i).1))),
                 Eos::Murnaghan(law) => range.for_each(|i| set(i, law.pressure(density.get(i)))),
                 Eos::Sirono(_) => {}
             }

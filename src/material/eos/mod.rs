@@ -6,6 +6,7 @@ pub mod murnaghan;
 pub mod simplified_tillotson;
 pub mod sirono;
 pub mod slopes;
+pub mod tabulated;
 pub mod tillotson;
 
 use schemars::JsonSchema;
@@ -19,6 +20,7 @@ use murnaghan::{Murnaghan, MurnaghanTable};
 use simplified_tillotson::{SimplifiedTillotson, SimplifiedTillotsonTable};
 use sirono::{Sirono, SironoTable};
 use slopes::Slopes;
+use tabulated::{Tabulated, TabulatedTable};
 use tillotson::{Tillotson, TillotsonTable};
 
 /// Equation of state: a table with one key, the law.
@@ -33,6 +35,8 @@ pub enum EosTable {
     IdealGas(IdealGasTable),
     Murnaghan(MurnaghanTable),
     Sirono(SironoTable),
+    #[serde(rename = "table")]
+    Tabulated(TabulatedTable),
 }
 
 impl EosTable {
@@ -43,6 +47,7 @@ impl EosTable {
             EosTable::IdealGas(table) => Eos::IdealGas(IdealGas::new(table)),
             EosTable::Murnaghan(table) => Eos::Murnaghan(Murnaghan::new(table)),
             EosTable::Sirono(table) => Eos::Sirono(Sirono::new(table)),
+            EosTable::Tabulated(table) => Eos::Tabulated(Tabulated::new(table)),
         }
     }
 }
@@ -58,6 +63,7 @@ impl Table for EosTable {
                 alone(place.trim_end_matches(".eos"), material)?;
                 table.validate(&format!("{place}.sirono"))
             }
+            EosTable::Tabulated(table) => table.validate(&format!("{place}.table")),
         }
     }
 }
@@ -86,6 +92,7 @@ pub enum Eos {
     Murnaghan(Murnaghan),
     /// Without load; `dust` holds what load leaves behind.
     Sirono(Sirono),
+    Tabulated(Tabulated),
 }
 
 impl Eos {
@@ -103,6 +110,7 @@ impl Eos {
             Eos::IdealGas(law) => law.pressure(rho, u),
             Eos::Murnaghan(law) => law.pressure(rho),
             Eos::Sirono(law) => law.unloaded(rho),
+            Eos::Tabulated(law) => law.pressure(rho, u),
         }
     }
 
@@ -115,6 +123,7 @@ impl Eos {
             Eos::IdealGas(law) => law.slopes(rho, u),
             Eos::Murnaghan(law) => law.slopes(rho),
             Eos::Sirono(law) => law.slopes(rho),
+            Eos::Tabulated(law) => law.slopes(rho, u),
         }
     }
 
@@ -125,6 +134,7 @@ impl Eos {
             Eos::SimplifiedTillotson(law) => Some(law.reference_density()),
             Eos::Murnaghan(law) => Some(law.reference_density()),
             Eos::Sirono(law) => Some(law.reference_density()),
+            Eos::Tabulated(law) => Some(law.reference_density()),
             Eos::IdealGas(_) => None,
         }
     }
@@ -136,6 +146,7 @@ impl Eos {
             Eos::SimplifiedTillotson(law) => Some(law.bulk_modulus()),
             Eos::Murnaghan(law) => Some(law.bulk_modulus()),
             Eos::Sirono(law) => Some(law.bulk_modulus(law.reference_density())),
+            Eos::Tabulated(law) => Some(law.bulk_modulus()),
             Eos::IdealGas(_) => None,
         }
     }
@@ -144,6 +155,7 @@ impl Eos {
     pub fn vaporisation(&self) -> Option<[f64; 2]> {
         match self {
             Eos::Tillotson(law) => Some(law.vaporisation()),
+            Eos::Tabulated(law) => law.vaporisation(),
             Eos::SimplifiedTillotson(_) | Eos::IdealGas(_) | Eos::Murnaghan(_) | Eos::Sirono(_) => None,
         }
     }

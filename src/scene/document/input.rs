@@ -14,8 +14,20 @@ const LARGEST: usize = 16 << 20;
 const PATIENCE: Duration = Duration::from_secs(3);
 const PAUSE: Duration = Duration::from_millis(5);
 
+/// The largest table of numbers, bytes.
+const LARGEST_TABLE: usize = 512 << 20;
+
 /// The text of a file or a pipe; what is wrong where there is none.
 pub fn read(path: &Path) -> Result<String, String> {
+    read_up_to(path, LARGEST)
+}
+
+/// Like [`read`], of a table of numbers.
+pub fn read_large(path: &Path) -> Result<String, String> {
+    read_up_to(path, LARGEST_TABLE)
+}
+
+fn read_up_to(path: &Path, most: usize) -> Result<String, String> {
     let file = open(path).map_err(|e| e.to_string())?;
     let kind = file.metadata().map_err(|e| e.to_string())?.file_type();
     if kind.is_dir() {
@@ -24,7 +36,7 @@ pub fn read(path: &Path) -> Result<String, String> {
     if !(kind.is_file() || kind.is_fifo() || kind.is_socket()) {
         return Err("it is neither a regular file nor a pipe".into());
     }
-    let bytes = contents(file)?;
+    let bytes = contents(file, most)?;
     String::from_utf8(bytes)
         .map_err(|e| format!("it is no text in UTF-8 from byte {} on", e.utf8_error().valid_up_to()))
 }
@@ -42,7 +54,7 @@ fn open(path: &Path) -> std::io::Result<File> {
     File::options().read(true).custom_flags(libc::O_NONBLOCK).open(path)
 }
 
-fn contents(mut file: File) -> Result<Vec<u8>, String> {
+fn contents(mut file: File, most: usize) -> Result<Vec<u8>, String> {
     let started = Instant::now();
     let (mut bytes, mut part) = (Vec::new(), vec![0; 1 << 16]);
     loop {
@@ -56,8 +68,8 @@ fn contents(mut file: File) -> Result<Vec<u8>, String> {
             Err(e) if e.kind() == ErrorKind::Interrupted => {}
             Err(e) => return Err(e.to_string()),
         }
-        if bytes.len() > LARGEST {
-            return Err(format!("it is longer than {} MiB", LARGEST >> 20));
+        if bytes.len() > most {
+            return Err(format!("it is longer than {} MiB", most >> 20));
         }
     }
 }

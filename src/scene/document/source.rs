@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 use toml::de::{DeTable, DeValue};
@@ -9,10 +10,11 @@ use toml::{Table, Value};
 
 use super::input;
 use crate::error::{Error, Result};
+use crate::material::eos::tabulated::grid::Grid;
 use crate::scene::mesh;
 
 /// Text and overrides a scene was read from.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct SourceText {
     /// Path of the file, for messages.
     pub path: String,
@@ -21,12 +23,14 @@ pub struct SourceText {
     pub overrides: Vec<String>,
     /// Shape models by the names that the scene gives their files.
     pub meshes: BTreeMap<String, mesh::Shared>,
+    /// Tables of equations of state by the names of their files.
+    pub tables: BTreeMap<String, Arc<Grid>>,
 }
 
 impl SourceText {
-    /// A text that names no shape models.
+    /// A text that names no files.
     pub fn new(path: impl Into<String>, text: impl Into<String>, overrides: &[String]) -> Self {
-        Self { path: path.into(), text: text.into(), overrides: overrides.to_vec(), meshes: BTreeMap::new() }
+        Self { path: path.into(), text: text.into(), overrides: overrides.to_vec(), ..Self::default() }
     }
 
     /// Reads the file; `overrides` are `key=value`, as after `--set`.

@@ -85,7 +85,7 @@ fn largest_reach(bodies: &[Body], numerics: &NumericsSettings) -> f64 {
         SmoothingLengthRule::Constant => 1.0,
         SmoothingLengthRule::FollowsDensity { largest, .. } => largest,
     };
-    SUPPORT * (1.0 + numerics.skin) * growth * largest
+    SUPPORT * (1.0 + numerics.skin.widest(true)) * growth * largest
 }
 
 /// What a body that carries its own weight depends on.

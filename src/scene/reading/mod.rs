@@ -4,6 +4,7 @@ mod bodies;
 mod checks;
 mod complete;
 mod curves;
+mod eos_tables;
 mod library;
 mod meshes;
 mod quality;

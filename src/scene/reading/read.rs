@@ -8,7 +8,7 @@ use toml::{Table, Value};
 use super::complete::complete;
 use super::tables::SceneTables;
 use super::validate::validate;
-use super::{curves, library, meshes, quality};
+use super::{curves, eos_tables, library, meshes, quality};
 use crate::error::{Error, Result};
 use crate::scene::document::keys;
 use crate::scene::document::source::{Document, SourceText};
@@ -20,9 +20,22 @@ pub fn read(path: &Path, overrides: &[String]) -> Result<Scene> {
 }
 
 /// The scene of a text, and of the files that it names.
-pub fn of(mut source: SourceText) -> Result<Scene> {
+pub fn of(source: SourceText) -> Result<Scene> {
+    from_source(with_files(source)?)
+}
+
+/// A text with what is in the files that it names.
+pub fn with_files(mut source: SourceText) -> Result<SourceText> {
     curves::read_into(&mut source)?;
     meshes::read_into(&mut source)?;
+    eos_tables::read_into(&mut source)?;
+    Ok(source)
+}
+
+/// The scene of a text whose files have been read, with further overrides.
+pub fn with(source: &SourceText, overrides: &[String]) -> Result<Scene> {
+    let mut source = source.clone();
+    source.overrides.extend_from_slice(overrides);
     from_source(source)
 }
 
@@ -34,9 +47,7 @@ impl Scene {
 
     /// The scene that its source gives with further overrides, e.g. another size of the projectile.
     pub fn reread(&self, overrides: &[String]) -> Result<Self> {
-        let mut source = self.source.clone();
-        source.overrides.extend_from_slice(overrides);
-        from_source(source)
+        with(&self.source, overrides)
     }
 }
 
@@ -44,7 +55,8 @@ fn from_source(source: SourceText) -> Result<Scene> {
     let mut document = Document::parse(&source)?;
     library::complete(&mut document)?;
     quality::complete(&mut document)?;
-    let written: SceneTables = keys::deserialize(&document)?;
+    let mut written: SceneTables = keys::deserialize(&document)?;
+    eos_tables::give(&mut written, &source);
     let tables = complete(&document, &written);
     let scene = validate(&document, &tables)?;
     check_numbers(&document, &scene)?;
@@ -53,9 +65,12 @@ fn from_source(source: SourceText) -> Result<Scene> {
     Ok(Scene { understood, source: source.clone(), ..scene })
 }
 
-/// The scene as understood. What is off is not printed, except viscosity, which is on unless a material says otherwise.
+/// The scene as understood. What is off is not printed, except viscosity, which is on unless a material says otherwise; nor is what is in
+/// files.
 fn print(tables: &SceneTables) -> std::result::Result<String, toml::ser::Error> {
-    let mut tree = Table::try_from(tables)?;
+    let mut tables = tables.clone();
+    eos_tables::give(&mut tables, &SourceText::new("", "", &[]));
+    let mut tree = Table::try_from(&tables)?;
     let materials = tree.get_mut("material").and_then(Value::as_table_mut).into_iter().flatten();
     for material in materials.filter(|_| tables.numerics.viscosity).filter_map(|(_, material)| material.as_table_mut())
     {

@@ -12,4 +12,5 @@ pub mod numerics;
 pub mod output;
 pub mod regions;
 pub mod run;
+pub mod skin;
 pub mod two_rates;

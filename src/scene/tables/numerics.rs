@@ -8,6 +8,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::integrator::{IntegratorRule, IntegratorTable};
+use super::skin::{SkinRule, SkinValue};
 use crate::error::Result;
 use crate::kernel::{Kernel, SUPPORT};
 use crate::scene::document::source::Document;
@@ -29,9 +30,9 @@ pub struct NumericsTable {
     /// its error only.
     #[schemars(range(min = CFL[0], max = LONG_CFL[1]))]
     cfl: Number,
-    /// Margin of neighbour lists, in units of the support.
-    #[schemars(range(min = SKIN[0], max = SKIN[1]))]
-    skin: Number,
+    /// Margin of neighbour lists, in units of the support: a number from 0 to 1 for all particles, or "auto" for each particle's own, by how
+    /// matter around it moves, which is chosen anew with each list for the least work.
+    skin: SkinValue,
     /// Smoothing length h over (m / rho)^(1/d).
     #[schemars(range(min = ETA[0], max = ETA[1]))]
     #[schemars(extend("default" = DEFAULT_ETA))]
@@ -84,7 +85,6 @@ enum Quality {
 const CFL: Range = [1e-3, 1.0];
 /// Of an integrator that refuses steps which are too long.
 const LONG_CFL: Range = [1e-3, 2.0];
-const SKIN: Range = [0.0, 1.0];
 const FACTOR: Range = [0.0, 1.0];
 const FLOOR: Range = [0.0, 1.0];
 const BEYOND: Range = [0.0, 1.0];
@@ -97,7 +97,7 @@ impl Default for NumericsTable {
             quality: None,
             kernel: Kernel::CubicSpline,
             cfl: Number::new(0.25),
-            skin: Number::new(0.1),
+            skin: SkinValue::Auto,
             eta: None,
             neighbours: None,
             viscosity: true,
@@ -279,7 +279,7 @@ pub struct NumericsSettings {
     /// Time step over h / signal speed.
     pub cfl: f64,
     /// Margin of neighbour lists over the support.
-    pub skin: f64,
+    pub skin: SkinRule,
     /// h over (m / rho)^(1/d).
     pub eta: f64,
     /// Whether artificial viscosity acts at all; its strength belongs to the material.
@@ -403,7 +403,7 @@ impl NumericsTable {
                 IntegratorRule::PredictorCorrector => within("cfl", self.cfl, CFL)?,
                 _ => within("cfl", self.cfl, LONG_CFL)?,
             },
-            skin: within("skin", self.skin, SKIN)?,
+            skin: self.skin.validate(document)?,
             eta,
             viscosity: self.viscosity,
             corrected_gradient,

@@ -234,7 +234,8 @@ impl Sirono {
         // Newton's method on x^(gamma-1) - x^gamma = share from x = 1: concave and falling, so that it approaches from above.
         let (mut x, gamma) = (1.0f64, self.gamma);
         for _ in 0..60 {
-            let power = libm::pow(x, gamma - 2.0);
+            // The usual power needs no library.
+            let power = if gamma == 4.0 { x * x } else { libm::pow(x, gamma - 2.0) };
             let slope = power * ((gamma - 1.0) - gamma * x);
             let next = (x - (power * x * (1.0 - x) - share) / slope).max(self.at_most);
             if (next - x).abs() <= 1e-15 * x {

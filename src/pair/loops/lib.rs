@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
-use super::interact::Form;
-use super::record::{Layout, PressureGradient, StressTerm, TensorGradient, Terms, ViscousTerm};
-use super::rows::{Constants, RowSums, Rows, sum_rows};
-use crate::kernel::{CubicSpline, Kernel, Shape, WendlandC2};
-use crate::math::lanes::{Avx2, Avx512, Portable, Width, width};
+use sph_mpi_kernels::kernel::{CubicSpline, Kernel, Shape, WendlandC2};
+use sph_mpi_kernels::math::lanes::{Avx2, Avx512, Portable, Width, width};
+use sph_mpi_kernels::pair::interact::Form;
+use sph_mpi_kernels::pair::record::{Layout, PressureGradient, StressTerm, TensorGradient, Terms, ViscousTerm};
+use sph_mpi_kernels::pair::rows::{Constants, RowSums, Rows, sum_rows};
 
 type Loop = unsafe fn(&Rows, &Constants, Range<usize>, &mut [RowSums]);
 
