@@ -29,16 +29,10 @@ fn left() -> Evaluation {
     let outcome = Outcome {
         target_mass: 900.0,
         total_mass: 1000.0,
-        largest_remnant_fraction: 0.0,
         largest_remnant_particles: 16,
-        largest_remnant_of_total: 0.0,
-        second_remnant_fraction: 0.0,
-        largest_fragment_fraction: 0.0,
         fragments: 2,
-        unbound_mass: 0.0,
-        strict: Strict { largest_remnant_fraction: 0.0, largest_fragment_fraction: 0.0, fragments: 2 },
-        bodies: Vec::new(),
-        trend: None,
+        strict: Strict { fragments: 2, ..Strict::default() },
+        ..Outcome::default()
     };
     let pieces =
         vec![piece(3, 12, 600.0, 3.0), piece(2, 4, 200.0, -1.2), piece(8, 1, 100.0, 100.0), piece(9, 1, 100.0, 0.0)];

@@ -486,3 +486,37 @@ fn pumice_gives_back_its_crush_curve() {
     println!("{rows} rows, off by {worst:.2e}, scatter {scatter:.2e}");
     assert!(rows > 300 && worst < 0.01 && scatter < 0.02, "{rows} rows, off by {worst}, scatter {scatter}");
 }
+
+/// Where nothing leaves the body that is hit, it has all momentum that was brought: beta is one, head-on and obliquely, onto a ball and onto an
+/// ellipsoid.
+#[test]
+fn a_body_that_keeps_all_gains_what_was_brought() {
+    const WET: &str = r#"
+[[body]]
+name = "target"
+shape = { sphere = { radius = "100 m" } }
+material = "basalt"
+particles = 600
+[[body]]
+name = "projectile"
+shape = { sphere = { radius = "30 m" } }
+material = "basalt"
+[impact]
+speed = "1 km/s"
+angle = "30 deg"
+[run]
+until = "1 s"
+steps = 80
+"#;
+    let ellipsoid = "shape = { ellipsoid = { semi_axes = [\"120 m\", \"100 m\", \"80 m\"] } }";
+    let lump = WET.replacen("shape = { sphere = { radius = \"100 m\" } }", ellipsoid, 1);
+    for (scene, angle) in [(WET, "0 deg"), (WET, "30 deg"), (&lump, "0 deg")] {
+        let dir = tempfile::tempdir().expect("a directory");
+        let angle = format!("impact.angle={angle}");
+        Launch::in_directory(1, dir.path(), scene, &["--set", &angle]).run().expect_code(0);
+        let outcome = &summary(&dir.path().join("run"))["outcome"];
+        assert_eq!(outcome["largest_remnant_of_total"], 1.0, "{outcome}");
+        let beta = outcome["momentum_enhancement"].as_f64().expect("beta");
+        assert!((beta - 1.0).abs() < 1e-9, "{angle}: {beta}");
+    }
+}

@@ -148,6 +148,9 @@ fn rubble_is_bound_and_fast_ejecta_are_not() {
         assert!((outcome.largest_remnant_fraction - expected).abs() < 1e-12, "{outcome:?} {expected}");
         assert!((outcome.second_remnant_fraction - in_small as f64 / in_large as f64).abs() < 1e-12, "{outcome:?}");
         assert!((outcome.unbound_mass / mass - (in_small + 2 + in_core) as f64).abs() < 1e-9);
+        // The ball's own motions cancel; of the chips the slow one belongs to it.
+        let momentum = outcome.largest_remnant_momentum.map(|p| p / (mass * escape));
+        assert!((momentum[1] + 1.0).abs() < 1e-9 && momentum[0].abs() + momentum[2].abs() < 1e-9, "{momentum:?}");
         assert_eq!(outcome.fragments, 2);
         assert!((outcome.largest_fragment_fraction - 2.0 / in_large as f64).abs() < 1e-15);
         digest(comm, &evaluation)

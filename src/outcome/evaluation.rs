@@ -24,6 +24,9 @@ pub struct Outcome {
     pub largest_remnant_particles: u64,
     /// Mass of the largest remnant over the mass of both bodies.
     pub largest_remnant_of_total: f64,
+    /// kg m/s.
+    #[serde(default)]
+    pub largest_remnant_momentum: [f64; 3],
     /// The largest aggregate of the remaining pieces.
     pub second_remnant_fraction: f64,
     /// The largest intact fragment.
@@ -118,6 +121,7 @@ pub fn evaluate(comm: &Comm, particles: &[Particle], question: &Question) -> Eva
         largest_remnant_fraction: over_target(usual.mass),
         largest_remnant_particles: usual.particles(comm),
         largest_remnant_of_total: usual.mass / total_mass,
+        largest_remnant_momentum: usual.momentum(comm),
         second_remnant_fraction: over_target(second),
         largest_fragment_fraction: over_target(usual.largest_fragment),
         fragments: usual.fragments,
@@ -183,10 +187,24 @@ impl Remnants {
         (counted(comm, &self.pieces, label, question), members)
     }
 
+    /// This rank's pieces of the largest remnant.
+    fn members(&self) -> impl Iterator<Item = &Piece> {
+        self.pieces.iter().zip(&self.in_largest).filter(|(_, member)| **member).map(|(piece, _)| piece)
+    }
+
+    /// Momentum of the largest remnant, kg m/s. Collective.
+    fn momentum(&self, comm: &Comm) -> [f64; 3] {
+        let mut sums = [const { ExactSum::new() }; 3];
+        for piece in self.members() {
+            (0..3).for_each(|k| sums[k].add(piece.mass * piece.velocity[k]));
+        }
+        let momentum = all_values(comm, &mut sums);
+        std::array::from_fn(|k| momentum[k])
+    }
+
     /// Particles of the largest remnant. Collective.
     pub fn particles(&self, comm: &Comm) -> u64 {
-        let members = self.pieces.iter().zip(&self.in_largest).filter(|(_, member)| **member);
-        let mut count = [members.map(|(piece, _)| piece.count as i64).sum()];
+        let mut count = [self.members().map(|piece| piece.count as i64).sum()];
         comm.all_sum(&mut count);
         count[0] as u64
     }

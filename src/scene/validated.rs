@@ -120,6 +120,16 @@ impl Scene {
         (target + 1..self.bodies.len()).find(finer).or(Some(target))
     }
 
+    /// The direction into the target where it is hit, along the normal, and the momentum that the projectile brings along it, kg m/s; none
+    /// where there is no impact, or onto ground.
+    pub fn impulse_on_body(&self) -> Option<([f64; 3], f64)> {
+        let impact = self.impact.as_ref().filter(|_| !self.hits_ground())?;
+        let (target, projectile) = (&self.bodies[impact.target], &self.bodies[impact.projectile]);
+        let inwards = impact.normal(target, projectile).map(|n| -n);
+        let speed: f64 = inwards.iter().zip(projectile.velocity).map(|(n, v)| n * v).sum();
+        Some((inwards, projectile.whole_mass() * speed))
+    }
+
     /// Whether the target stands for ground that goes on beyond its ends: a half sphere, or what has a layer at its outer
     /// faces. Then it has no remnants.
     pub fn hits_ground(&self) -> bool {

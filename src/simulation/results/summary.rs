@@ -137,6 +137,7 @@ fn outcome_figures<const D: usize>(report: &Report<D>) -> Figures {
     let mut figures = vec![("time".to_string(), report.state.outcome_time)];
     if let Some(outcome) = &report.state.outcome {
         figures.extend(remnant_figures(outcome));
+        figures.extend(momentum_enhancement(report.scene, outcome));
     }
     if let Some(crater) = &report.state.crater {
         figures.extend(ground::figures(crater));
@@ -153,6 +154,14 @@ fn outcome_figures<const D: usize>(report: &Report<D>) -> Figures {
         }
     }
     Figures(figures)
+}
+
+/// beta of a whole body: the momentum that its largest remnant has got along the normal, over what the projectile brought along it
+/// (Holsapple & Housen 2012, Icarus 221, 875); ejecta that leave it have taken the rest the other way.
+fn momentum_enhancement(scene: &Scene, outcome: &Outcome) -> Option<(String, f64)> {
+    let (inwards, brought) = scene.impulse_on_body()?;
+    let gained: f64 = inwards.iter().zip(outcome.largest_remnant_momentum).map(|(n, p)| n * p).sum();
+    Some(("momentum_enhancement".to_string(), gained / brought))
 }
 
 fn remnant_figures(outcome: &Outcome) -> Vec<(String, f64)> {
