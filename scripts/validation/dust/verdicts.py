@@ -83,6 +83,10 @@ def rows(known):
                why="the depth of eq. 23 and the sine of eq. 22 make it 3 in theory")
     bounce = known.get(bouncing.SPACINGS[12.5].name) or known.get(bouncing.SPACINGS[25].name) or {}
     yield line("restitution, K_0 = 5 kPa", (bounce.get("restitution") or {}).get("coefficient"), 0.19, 0.2)
+    for (p_m, modulus), paper in bouncing.PAPER.items():
+        if (p_m, modulus) != (0.26, 5):
+            bounce = known.get(bouncing.SWEEP[p_m, modulus].name) or {}
+            yield line(f"restitution, p_m = {p_m} kPa, K_0 = {modulus} kPa", (bounce.get("restitution") or {}).get("coefficient"), float(paper), None)
     broken = next((known[run.name]["fragments"] for run in reversed(fragmentation.SPACINGS.values()) if run.name in known), {})
     soft, stiff = (((known.get(fragmentation.GAMMA[gamma].name) or {}).get("fragments") or {}) for gamma in (4, 6))
     found = lambda key: f": {soft[key]:.2f}, with gamma = 6 {stiff[key]:.2f} at {fragmentation.COARSE} um" if soft.get(key) and stiff.get(key) else ""
