@@ -121,11 +121,11 @@ impl Scene {
     }
 
     /// The direction into the target where it is hit, along the normal, and the momentum that the projectile brings along it, kg m/s; none
-    /// where there is no impact, or onto ground.
+    /// where there is no impact, or onto a flat face (see `outcome::crater`).
     pub fn impulse_on_body(&self) -> Option<([f64; 3], f64)> {
-        let impact = self.impact.as_ref().filter(|_| !self.hits_ground())?;
+        let impact = self.impact.as_ref().filter(|_| self.face().is_none())?;
         let (target, projectile) = (&self.bodies[impact.target], &self.bodies[impact.projectile]);
-        let inwards = impact.normal(target, projectile).map(|n| -n);
+        let inwards = impact.outwards(target, projectile).map(|n| -n);
         let speed: f64 = inwards.iter().zip(projectile.velocity).map(|(n, v)| n * v).sum();
         Some((inwards, projectile.whole_mass() * speed))
     }

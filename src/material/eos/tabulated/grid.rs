@@ -225,6 +225,9 @@ fn check(rows: &[Row]) -> Result<(), String> {
     if let Some(row) = rows.iter().find(|row| !(row.density > 0.0 && row.density.is_finite() && numbers(row))) {
         return Err(format!("at {} kg/m^3 not all numbers are finite", row.density));
     }
+    if let Some(row) = rows.iter().find(|row| ![0, row.energy.len()].contains(&row.temperature.len())) {
+        return Err(format!("at {} kg/m^3 only some states have a temperature", row.density));
+    }
     match rows.windows(2).find(|pair| pair[0].density >= pair[1].density) {
         Some(pair) => Err(format!("a density of {} kg/m^3 follows {}", pair[1].density, pair[0].density)),
         None => Ok(()),

@@ -151,14 +151,12 @@ impl ImpactSettings {
         std::array::from_fn(|k| if k == up { bounds.middle[k] + bounds.half[k] } else { 0.0 })
     }
 
-    /// The outward normal where the surfaces touch first, as the angle is measured from it: of a shape that has no normal there, the axis
-    /// along x.
-    pub fn normal(&self, target: &Body, projectile: &Body) -> [f64; 3] {
-        let up = target.dimension - 1;
+    /// The direction out of a target without an upper face from which the angle is measured: on a sphere the normal where the surfaces
+    /// touch first, on other shapes the axis along x.
+    pub fn outwards(&self, target: &Body, projectile: &Body) -> [f64; 3] {
         match &target.shape {
             BodyShape::Sphere { radius } => self.point(target, projectile).map(|x| x / radius),
-            shape if shape.is_round() => [1.0, 0.0, 0.0],
-            _ => std::array::from_fn(|k| if k == up { 1.0 } else { 0.0 }),
+            _ => [1.0, 0.0, 0.0],
         }
     }
 
