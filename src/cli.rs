@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::Parser;
+use clap::{Parser, Subcommand};
 
 use crate::study::settings;
 
@@ -27,6 +27,8 @@ Examples:
   sph-mpi inputs/impact.toml --resume --set 'run.until=40 s'
       take a run that has ended further
 
+  sph-mpi report runs/impact
+      look at a run in a browser: writes runs/impact/report.html, also while it runs
   sph-mpi --keys body
       every key of a table, with unit, default and what is allowed; --keys alone lists the tables
 
@@ -36,7 +38,11 @@ Ctrl-C, SIGTERM, SIGHUP and SIGUSR1 end a run with a checkpoint. RUST_LOG sets w
 /// A hydrocode for impacts into strong, brittle, porous and dusty bodies, distributed with MPI.
 #[derive(Debug, Clone, PartialEq, Parser)]
 #[command(name = "sph-mpi", version, about, after_help = EXAMPLES)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct Args {
+    #[command(subcommand)]
+    pub command: Option<Command>,
+
     /// Scene file (TOML).
     #[arg(required_unless_present_any = ["keys", "schema"])]
     pub scene: Option<PathBuf>,
@@ -97,9 +103,23 @@ pub struct Args {
     #[arg(long, value_name = "BYTES", requires = "check", requires = "latency", value_parser = positive)]
     pub bandwidth: Option<f64>,
 
+    /// Write trace.json of each run: what each rank does when, for chrome://tracing or ui.perfetto.dev.
+    #[arg(long, conflicts_with_all = ["check", "collect", "points"])]
+    pub trace: bool,
+
     /// Print nothing but errors.
     #[arg(long, short)]
     pub quiet: bool,
+}
+
+/// What the program does beside running scenes.
+#[derive(Debug, Clone, PartialEq, Subcommand)]
+pub enum Command {
+    /// Write report.html into the directory of a run, search or study: it opens in a browser, and needs nothing else.
+    Report {
+        /// The directory of the run, which may go on meanwhile.
+        directory: PathBuf,
+    },
 }
 
 impl Args {
@@ -144,8 +164,13 @@ mod tests {
         assert_eq!(parse("sph-mpi --keys").unwrap().keys.as_deref(), Some(""));
         assert_eq!(parse("sph-mpi --keys body.shape").unwrap().keys.as_deref(), Some("body.shape"));
         assert_eq!(parse("sph-mpi --schema").unwrap().schema.as_deref(), Some("scene"));
+        let report = parse("sph-mpi report runs/impact").unwrap();
+        assert_eq!(report.command, Some(Command::Report { directory: "runs/impact".into() }));
         for bad in [
             "sph-mpi",
+            "sph-mpi report",
+            "sph-mpi a report b",
+            "sph-mpi --quiet report b",
             "sph-mpi a --threads 0",
             "sph-mpi a --ranks 2",
             "sph-mpi a --check --resume",

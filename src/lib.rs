@@ -23,6 +23,7 @@ pub mod motion;
 pub mod exact;
 pub mod outcome;
 pub mod output;
+pub mod report;
 pub mod scene;
 
 pub mod process;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Parser;
 
-use crate::cli::Args;
+use crate::cli::{Args, Command};
 use crate::domain::comm::{Comm, Network};
 use crate::error::{Error, Result, plain};
 use crate::forecast::cost;
@@ -14,8 +14,9 @@ use crate::math::lanes;
 use crate::output::summary::Accuracy;
 use crate::output::{agree, collective, on_root};
 use crate::process::faults::Fault;
-use crate::process::lock::{Lock, Work};
+use crate::process::lock::{self, Lock, Work};
 use crate::process::{directory, log, resources, signals};
+use crate::report;
 use crate::scene::source::SourceText;
 use crate::scene::{self, Scene, input};
 use crate::simulation::{self, Ended, Options};
@@ -37,6 +38,7 @@ pub fn main() -> i32 {
     let resident_at_start = resources::resident_bytes();
     let code = match Args::try_parse() {
         Ok(args) if args.keys.is_some() || args.schema.is_some() => explain_keys(&args, &comm),
+        Ok(Args { command: Some(Command::Report { directory }), .. }) => write_report(&directory, &comm),
         Ok(args) => on_all_ranks(&args, resident_at_start, &comm),
         Err(error) => {
             if comm.is_root() {
@@ -65,6 +67,19 @@ fn explain_keys(args: &Args, comm: &Comm) -> i32 {
     match on_root(comm, || print(&text)) {
         Ok(()) => 0,
         Err(error) => complain(&error, FAILED, comm),
+    }
+}
+
+/// Writes the report of a run, by rank 0, and says where.
+fn write_report(directory: &Path, comm: &Comm) -> i32 {
+    log::start(comm.rank(), false);
+    let write = || {
+        let path = report::write(directory, lock::require_no_other(directory, |_| true).is_err())?;
+        print(&format!("{}\n", path.display()))
+    };
+    match on_root(comm, write) {
+        Ok(()) => 0,
+        Err(error) => complain(&error, if error.bad_input { BAD_INPUT } else { FAILED }, comm),
     }
 }
 
@@ -107,6 +122,7 @@ fn on_all_ranks(args: &Args, resident_at_start: f64, comm: &Comm) -> i32 {
         directory: args.out.clone().unwrap_or_else(|| usual_directory(args, &task)),
         resume: args.resume,
         resident_at_start,
+        trace: args.trace,
         accuracy: match &task {
             Task::Scene(_, choice) => choice.clone(),
             Task::Study(_) => None,

@@ -16,7 +16,7 @@ const FLOORS: [&[&str]; 15] = [
     &["material", "pair", "gravity", "motion"],
     &["scene", "exact", "outcome", "output"],
     &["step", "process"],
-    &["comparison"],
+    &["comparison", "report"],
     &["simulation"],
     &["forecast", "threshold"],
     &["study"],

@@ -37,7 +37,7 @@ fn left() -> Evaluation {
     let pieces =
         vec![piece(3, 12, 600.0, 3.0), piece(2, 4, 200.0, -1.2), piece(8, 1, 100.0, 100.0), piece(9, 1, 100.0, 0.0)];
     let centre = CentreOfMass { position: Vec3::new(1.0, 2.0, 2.0), velocity: Vec3::new(10.0, 20.0, 0.0) };
-    Evaluation { outcome, pieces, in_largest: vec![true, true, false, false], centre, mass: 1000.0 }
+    Evaluation { outcome, pieces, in_largest: vec![true, true, false, false], labels: Vec::new(), centre, mass: 1000.0 }
 }
 
 fn numbers(line: &str) -> Vec<f64> {

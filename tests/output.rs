@@ -99,7 +99,21 @@ fn write_snapshot(path: &Path, dimension: usize, storage: Storage, comm: &Comm) 
     let figures = [("energy_drift".to_string(), 1e-5)];
     let (columns, view) = (&scene.columns, &view(&scene));
     let text = "title = \"über\"";
-    let snapshot = Snapshot { columns, view, time: 1.5, step: 7, scene: text, figures: &figures, storage };
+    let (late_stage, bodies, in_largest) = (false, &[["ball", "rock"]][..], None);
+    let (time, step, figures) = (1.5, 7, &figures[..]);
+    let snapshot = Snapshot {
+        columns,
+        view,
+        time,
+        step,
+        scene: text,
+        late_stage,
+        bodies,
+        derived: &[],
+        in_largest,
+        figures,
+        storage,
+    };
     snapshot.write(path, comm).unwrap()
 }
 

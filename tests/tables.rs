@@ -100,6 +100,52 @@ fn tables_are_the_same_on_any_ranks() {
     crate::sameness::compare_scene("tables", by_table(&file).leak());
 }
 
+/// A table with temperatures and phases: snapshots have them, to what lies between the states of the table.
+#[test]
+fn snapshots_have_temperature_and_phase() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let field = |x: f64| format!("{x:16.8E}");
+    let law = Scene::parse("balls.toml", &by_law(), &[]).expect("a valid scene").materials[0].eos.law();
+    let density: Vec<f64> = (0..61).map(|i| 27.0 * 10f64.powf(i as f64 / 20.0)).collect();
+    let temperature: Vec<f64> = (0..120).map(|k| 10.0 + 40.0 * k as f64).collect();
+    // u = 1000 T, phase 4 below 1500 K and 6 above.
+    let states: Vec<[f64; 2]> = temperature.iter().flat_map(|t| density.iter().map(move |rho| [*rho, *t])).collect();
+    let head = [density.len() as f64, temperature.len() as f64].into_iter();
+    let head: Vec<f64> = head.chain(density.iter().map(|rho| 1e-3 * rho)).chain(temperature.iter().copied()).collect();
+    type Of<'a> = &'a dyn Fn(&[f64; 2]) -> f64;
+    let write = |name: &str, rest: &[Of]| {
+        let numbers = head.iter().copied().chain(rest.iter().flat_map(|of| states.iter().map(of)));
+        let fields: Vec<String> = numbers.map(field).collect();
+        let lines: String = fields.chunks(5).map(|line| line.concat() + "\n").collect();
+        fs::write(dir.path().join(name), "head\n".repeat(6) + &lines).expect("a table");
+    };
+    let pressure = |[rho, t]: &[f64; 2]| 1e-9 * law.pressure(*rho, 1e3 * t).0;
+    write("std.txt", &[&pressure, &|[_, t]| 1e-3 * t, &|_| 0.0]);
+    write("ext.txt", &[&|_| 0.0, &|_| 0.0, &|_| 0.0, &|[_, t]| if *t < 1500.0 { 4.0 } else { 6.0 }]);
+    let eos = "[material.rock.eos.table]\nfile = \"std.txt\"\nformat = \"sesame\"\nphases = \"ext.txt\"";
+    let scene = BALLS.replace("EOS", eos).replace("melt_fraction = true\nvapour_fraction = true\n", "");
+    Launch::in_directory(
+        2,
+        dir.path(),
+        &scene,
+        &["--set", "output={ picture = false, snapshots = 1 }", "--set", "run.until=0.2 s"],
+    )
+    .run()
+    .expect_code(0);
+    let file = hdf5::File::open(dir.path().join("run/snapshot_0001.vtkhdf")).expect("a snapshot");
+    let read =
+        |name: &str| file.dataset(&format!("VTKHDF/PointData/{name}")).expect(name).read_raw::<f64>().expect(name);
+    let (u, t, phase) = (read("internal_energy"), read("temperature"), read("phase"));
+    assert!(u.len() > 1000 && u.iter().any(|u| *u > 2e6), "some of it is hot");
+    for i in 0..u.len() {
+        // Above matter without load, at 298 K.
+        let expected = (298.0 + 1e-3 * u[i]).clamp(10.0, 4770.0);
+        assert!((t[i] - expected).abs() < 1e-3 * expected, "{} for {expected}", t[i]);
+        let liquid = if expected > 1521.0 { 6.0 } else { 4.0 };
+        assert!(phase[i] == liquid || (1479.0..1531.0).contains(&expected), "{} at {expected}", phase[i]);
+    }
+}
+
 #[test]
 fn a_missing_table_is_one_clear_error() {
     let dir = tempfile::tempdir().expect("a directory");

@@ -116,6 +116,12 @@ impl Comm {
         self.size
     }
 
+    /// This rank's share of things that are numbered below `count`: together the ranks have all of them, in the order of ranks.
+    pub fn share(&self, count: u64) -> std::ops::Range<u64> {
+        let part = |rank: usize| (count as u128 * rank as u128 / self.size() as u128) as u64;
+        part(self.rank())..part(self.rank() + 1)
+    }
+
     pub fn is_root(&self) -> bool {
         self.rank == 0
     }

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::form::Form;
 use super::lasting::Trend;
 use super::particle::{LINK_DAMAGE, Particle, STRICT_DAMAGE};
 use super::piece::{Piece, Question};
@@ -40,6 +41,9 @@ pub struct Outcome {
     /// The fate of each body, where requested.
     #[serde(default)]
     pub bodies: Vec<Origin>,
+    /// The largest remnant as a body, in 3D.
+    #[serde(default)]
+    pub form: Option<Form>,
     /// What becomes of the largest remnant, where it was watched.
     #[serde(default)]
     pub trend: Option<Trend>,
@@ -86,6 +90,8 @@ pub struct Evaluation {
     pub pieces: Vec<Piece>,
     /// Which of them belong to the largest remnant.
     pub in_largest: Vec<bool>,
+    /// Label of the fragment that each of this rank's particles belongs to, none of a loose one.
+    pub labels: Vec<Option<u64>>,
     /// Centre of mass of all matter.
     pub centre: CentreOfMass,
     /// Mass of all matter, kg.
@@ -103,7 +109,8 @@ pub fn evaluate(comm: &Comm, particles: &[Particle], question: &Question) -> Eva
         [LINK_DAMAGE, STRICT_DAMAGE].map(|damage| fragments::labels(comm, particles, fragments::Link::Intact(damage)));
     let mut differ = [(usual != strict) as u8 as f64];
     comm.all_max(&mut differ);
-    let usual = Remnants::find(comm, particles, &scale, &usual, question);
+    let labels = usual;
+    let usual = Remnants::find(comm, particles, &scale, &labels, question);
     let with_strict_links = |found: &Remnants| Strict {
         largest_remnant_fraction: over_target(found.mass),
         largest_fragment_fraction: over_target(found.largest_fragment),
@@ -128,10 +135,11 @@ pub fn evaluate(comm: &Comm, particles: &[Particle], question: &Question) -> Eva
         unbound_mass: (total_mass - usual.mass).max(0.0),
         strict,
         bodies: Vec::new(),
+        form: None,
         trend: None,
     };
     let centre = CentreOfMass { position: total.position(&scale), velocity: total.velocity(&scale) };
-    Evaluation { outcome, pieces: usual.pieces, in_largest: usual.in_largest, centre, mass }
+    Evaluation { outcome, pieces: usual.pieces, in_largest: usual.in_largest, labels, centre, mass }
 }
 
 /// Pieces at one threshold of damage, and the largest remnant among them.

@@ -8,10 +8,11 @@
 //!
 //! Each rank links its particles and a layer of ghosts; labels are then exchanged through the ghosts until none changes.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
+use rayon::prelude::*;
 
 use super::particle::Particle;
 use super::piece::Piece;
@@ -109,12 +110,18 @@ impl Sets {
     }
 }
 
+/// The cell of a point, and the point.
+type Place = ([i64; 3], u32);
+/// Cells whose links are held at a time, and those that a thread takes at a time.
+const CELLS: usize = 1 << 16;
+const CELLS_OF_A_THREAD: usize = 256;
+
 /// Links all points that are near enough, by way of cells of side `reach`.
 fn link(points: &[Point], reach: f64) -> Sets {
     let mut sets = Sets { parent: (0..points.len() as u32).collect(), size: vec![1; points.len()] };
     let cell = |p: &Point| p.position.map(|x| (x / reach).floor() as i64);
-    let mut order: Vec<([i64; 3], u32)> = points.iter().enumerate().map(|(i, p)| (cell(p), i as u32)).collect();
-    order.sort_unstable();
+    let mut order: Vec<Place> = points.iter().enumerate().map(|(i, p)| (cell(p), i as u32)).collect();
+    order.par_sort_unstable();
     let mut cells: HashMap<[i64; 3], Range<usize>> = HashMap::new();
     let mut begin = 0;
     for group in order.chunk_by(|a, b| a.0 == b.0) {
@@ -122,7 +129,8 @@ fn link(points: &[Point], reach: f64) -> Sets {
         begin += group.len();
     }
     // In the order of cells, as neighbours then are near in memory.
-    for here in order.chunk_by(|a, b| a.0 == b.0) {
+    let here: Vec<&[Place]> = order.chunk_by(|a, b| a.0 == b.0).collect();
+    let nearby = |here: &[Place], take: &mut dyn FnMut(u32, u32)| {
         let [x, y, z] = here[0].0;
         // Half of the cells around, and the cell itself: each pair of cells is met once.
         for k in 0..14 {
@@ -131,11 +139,25 @@ fn link(points: &[Point], reach: f64) -> Sets {
             for &(_, i) in here {
                 for &(_, j) in &order[there.clone()] {
                     if i != j && are_linked(&points[i as usize], &points[j as usize]) {
-                        sets.join(i as usize, j as usize);
+                        take(i, j);
                     }
                 }
             }
         }
+    };
+    if rayon::current_num_threads() == 1 {
+        here.iter().for_each(|here| nearby(here, &mut |i, j| sets.join(i as usize, j as usize)));
+        return sets;
+    }
+    // Threads find the links of some cells, then one joins them: in whatever order, the sets are the same.
+    for some in here.chunks(CELLS) {
+        let found = some.par_chunks(CELLS_OF_A_THREAD).map(|cells| {
+            let mut links = Vec::new();
+            cells.iter().for_each(|here| nearby(here, &mut |i, j| links.push((i, j))));
+            links
+        });
+        let found: Vec<Vec<(u32, u32)>> = found.collect();
+        found.iter().flatten().for_each(|&(i, j)| sets.join(i as usize, j as usize));
     }
     sets
 }
@@ -284,6 +306,22 @@ fn unite(comm: &Comm, parts: BTreeMap<u64, (Tally, bool)>) -> Vec<(u64, Tally)> 
     let received = comm.sparse_exchange(homeward.into_iter().collect());
     let records = received.iter().flat_map(|(_, words)| words.chunks_exact(RECORD - 1));
     records.map(|record| (record[0], *bytemuck::from_bytes(bytemuck::cast_slice(&record[1..])))).collect()
+}
+
+/// Those of this rank's labels that some rank has among its `chosen`. Collective.
+pub fn chosen_of(comm: &Comm, chosen: &BTreeSet<u64>, own: &BTreeSet<u64>) -> BTreeSet<u64> {
+    // What is chosen and who asks meet on the rank that a label names.
+    let by_place = |labels: &BTreeSet<u64>| {
+        let mut places: BTreeMap<usize, Vec<u64>> = BTreeMap::new();
+        labels.iter().for_each(|label| places.entry(meeting_place(*label, comm.size())).or_default().push(*label));
+        comm.sparse_exchange(places.into_iter().collect())
+    };
+    let known: BTreeSet<u64> = by_place(chosen).into_iter().flat_map(|(_, labels)| labels).collect();
+    let answer = |(rank, labels): (usize, Vec<u64>)| {
+        (rank, labels.into_iter().filter(|label| known.contains(label)).collect::<Vec<u64>>())
+    };
+    let answers = by_place(own).into_iter().map(answer).filter(|(_, labels)| !labels.is_empty()).collect();
+    comm.sparse_exchange(answers).into_iter().flat_map(|(_, labels)| labels).collect()
 }
 
 /// Spreads labels over ranks (Fibonacci hashing, Knuth 6.4).

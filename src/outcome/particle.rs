@@ -1,5 +1,7 @@
 //! Particles as outcomes use them.
 
+use rayon::prelude::*;
+
 use crate::material::{BodyConstants, Core};
 use crate::math::Vec3;
 use crate::particles::Columns;
@@ -8,6 +10,9 @@ use crate::particles::Columns;
 pub const LINK_DAMAGE: f64 = 0.9;
 /// The stricter threshold whose outcome is reported beside it.
 pub const STRICT_DAMAGE: f64 = 0.5;
+
+/// Particles that a thread makes by itself, at least.
+const SHARE: usize = 1 << 12;
 
 /// A particle as the outcome uses it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,7 +41,7 @@ pub fn particles(
     core: &Core,
     constants: &[BodyConstants],
     whole: &[usize],
-    damage: impl Fn(usize, usize) -> f64,
+    damage: impl Fn(usize, usize) -> f64 + Sync,
 ) -> Vec<Particle> {
     let sizes: Vec<(f64, f64)> = constants
         .iter()
@@ -59,5 +64,5 @@ pub fn particles(
             damage: damage(i, id.body()),
         }
     };
-    (0..columns.len()).map(particle).collect()
+    (0..columns.len()).into_par_iter().with_min_len(SHARE).map(particle).collect()
 }

@@ -220,8 +220,8 @@ fn read_columns(file: &CollectiveFile, header: &Header, registry: &Registry, com
     let which = state_columns(&columns);
     check_names(file, header, registry)?;
     let id = registry.find::<ParticleId>("id").ok_or_else(|| Error::new("a checkpoint needs the column id"))?;
-    let share = |rank: usize| (header.particles as u128 * rank as u128 / comm.size() as u128) as usize;
-    let rows = share(comm.rank())..share(comm.rank() + 1);
+    let rows = comm.share(header.particles);
+    let rows = rows.start as usize..rows.end as usize;
     columns.resize(rows.len());
     for &index in &which {
         let entry = &registry.entries[index];

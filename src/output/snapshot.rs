@@ -1,6 +1,7 @@
 //! Snapshots: VTKHDF 2.0 files (PolyData, one vertex per particle) that ParaView, PyVista and h5py open directly, written
 //! collectively. Particles are in no special order; `id` identifies them. Every field has the attributes `unit` and
-//! `description`. Outside /VTKHDF, /run holds time, step, program, version and scene, and /conservation the balance sheet.
+//! `description`. Outside /VTKHDF, /run holds time, step, program, version and scene, /bodies what the
+//! bodies are, and /conservation the balance sheet.
 //! Format: VTK file formats, "VTKHDF", section PolyData.
 
 use std::path::Path;
@@ -36,9 +37,25 @@ pub struct Snapshot<'a> {
     pub step: u64,
     /// The scene as read, with defaults.
     pub scene: &'a str,
+    /// Whether matter is that of a late stage.
+    pub late_stage: bool,
+    /// Each body's name and that of its material, in the order of their numbers.
+    pub bodies: &'a [[&'a str; 2]],
+    pub derived: &'a [Derived],
+    /// Whether each particle belongs to the largest remnant, where that has been found.
+    pub in_largest: Option<&'a [bool]>,
     /// Conservation figures by name.
     pub figures: &'a [(String, f64)],
     pub storage: Storage,
+}
+
+/// A field that follows from others, and is made for the file alone.
+pub struct Derived {
+    pub name: &'static str,
+    pub unit: &'static str,
+    pub about: &'static str,
+    /// Of each particle.
+    pub values: Vec<f64>,
 }
 
 /// A field: its name in the file, unit and one sentence.
@@ -56,6 +73,7 @@ impl Snapshot<'_> {
             self.write_geometry(file)?;
             self.write_fields(file)?;
             self.write_run(file)?;
+            self.write_bodies(file)?;
             Ok(file.was_collective())
         })?;
         publish(path, comm).inspect_err(|_| {
@@ -107,6 +125,14 @@ impl Snapshot<'_> {
         let about = "Number of the body to which the particle belongs.";
         let bodies: Vec<i32> = all.clone().map(|i| body(i) as i32).collect();
         self.write_exact(file, &Label { name: "body", unit: "", about }, &bodies)?;
+        for &Derived { name, unit, about, ref values } in self.derived {
+            self.write_field(file, &Label { name, unit, about }, values, 1)?;
+        }
+        if let Some(in_largest) = self.in_largest {
+            let about = "1 where the particle belongs to the largest remnant, 0 elsewhere.";
+            let members: Vec<i32> = in_largest.iter().map(|member| i32::from(*member)).collect();
+            self.write_exact(file, &Label { name: "largest_remnant", unit: "", about }, &members)?;
+        }
         let masses: Vec<f64> = all.clone().map(|i| self.view.constants[body(i)].particle_mass).collect();
         let unit = if columns.registry.dimension == 2 { "kg/m" } else { "kg" };
         self.write_field(file, &Label { name: "mass", unit, about: "Mass of the particle." }, &masses, 1)?;
@@ -174,11 +200,32 @@ impl Snapshot<'_> {
         file.attribute("/run", "time", Value::Real(self.time))?;
         file.attribute("/run", "time_unit", Value::Text("s"))?;
         file.attribute("/run", "step", Value::Integer(self.step as i64))?;
+        file.attribute("/run", "dimension", Value::Integer(self.columns.registry.dimension as i64))?;
+        file.attribute("/run", "late_stage", Value::Integer(i64::from(self.late_stage)))?;
         file.attribute("/run", "program", Value::Text(env!("CARGO_PKG_NAME")))?;
         file.attribute("/run", "version", Value::Text(env!("CARGO_PKG_VERSION")))?;
         file.attribute("/run", "scene", Value::Text(self.scene))?;
         file.group("/conservation")?;
         self.figures.iter().try_for_each(|(name, value)| file.attribute("/conservation", name, Value::Real(*value)))
+    }
+}
+
+impl Snapshot<'_> {
+    /// What the numbers in the field `body` stand for.
+    fn write_bodies(&self, file: &CollectiveFile) -> Result<()> {
+        file.group("/bodies")?;
+        let constants = &self.view.constants;
+        for (number, ([name, material], body)) in self.bodies.iter().zip(constants).enumerate() {
+            let group = format!("/bodies/{number}");
+            file.group(&group)?;
+            file.attribute(&group, "name", Value::Text(name))?;
+            file.attribute(&group, "material", Value::Text(material))?;
+            file.attribute(&group, "particle_mass", Value::Real(body.particle_mass))?;
+            file.attribute(&group, "smoothing_length", Value::Real(body.smoothing_length))?;
+            file.attribute(&group, "density", Value::Real(body.density))?;
+            file.attribute(&group, "distention", Value::Real(body.distention))?;
+        }
+        Ok(())
     }
 }
 

@@ -162,7 +162,7 @@ fn refuse_to_overwrite(path: &Path, found: &[String]) -> Result<()> {
 
 /// Whether a run, a search or a study writes a file of this name.
 pub fn is_of_a_run(name: &str) -> bool {
-    const FILES: [&str; 44] = [
+    const FILES: [&str; 46] = [
         "checkpoint.h5",
         "checkpoint_previous.h5",
         "crater.csv",
@@ -193,6 +193,7 @@ pub fn is_of_a_run(name: &str) -> bool {
         "outcome.png",
         "point.json",
         "q_star.png",
+        "report.html",
         "map.png",
         "restitution.csv",
         "restitution.png",
@@ -206,6 +207,7 @@ pub fn is_of_a_run(name: &str) -> bool {
         "summary_previous.json",
         "threshold.csv",
         "threshold.png",
+        "trace.json",
         "velocities.csv",
     ];
     let name = name.strip_suffix(".tmp").unwrap_or(name);

@@ -18,6 +18,9 @@ use super::{memory, signals};
 use crate::error::{Error, Result, plain};
 use crate::output::publish::cannot;
 
+/// Share of a run that has to be done before the rest is estimated.
+const LEAST_SHARE: f64 = 0.01;
+
 static LOG_FILE: Mutex<Option<File>> = Mutex::new(None);
 /// The path of the log file, on every rank.
 static LOG_PATH: Mutex<Option<PathBuf>> = Mutex::new(None);
@@ -158,6 +161,8 @@ pub struct Progress {
     bar: Option<ProgressBar>,
     spoken: Instant,
     logs: bool,
+    /// When it was looked at first, and how much was done then.
+    first: Option<(Instant, f64)>,
 }
 
 impl Progress {
@@ -173,19 +178,38 @@ impl Progress {
             bar
         });
         *BAR.lock().unwrap() = bar.clone();
-        Self { bar, spoken: Instant::now(), logs: root }
+        Self { bar, spoken: Instant::now(), logs: root, first: None }
     }
 
     /// `done` in 0..1; the message is made only when it is shown.
     pub fn show(&mut self, done: f64, message: impl FnOnce() -> String) {
+        let done = done.clamp(0.0, 1.0);
+        let (since, before) = *self.first.get_or_insert((Instant::now(), done));
+        let left = left(since.elapsed(), before, done);
         if let Some(bar) = &self.bar {
-            bar.set_position((1000.0 * done.clamp(0.0, 1.0)) as u64);
-            bar.set_message(plain(&message()).into_owned());
+            bar.set_position((1000.0 * done) as u64);
+            bar.set_message(format!("{left}{}", plain(&message())));
         } else if self.logs && self.spoken.elapsed() > Self::PAUSE {
             self.spoken = Instant::now();
-            tracing::info!("{:.0} % {}", 100.0 * done.clamp(0.0, 1.0), message());
+            tracing::info!("{:.0} % {left}{}", 100.0 * done, message());
         }
     }
+}
+
+/// `12 min left, `: as long as it has taken so far for each share of the run; nothing where too little is done to tell.
+fn left(elapsed: Duration, before: f64, done: f64) -> String {
+    let share = done - before;
+    if share < LEAST_SHARE || done >= 1.0 {
+        return String::new();
+    }
+    let seconds = elapsed.as_secs_f64() * (1.0 - done) / share;
+    let words = match seconds {
+        s if s < 90.0 => format!("{s:.0} s"),
+        s if s < 5400.0 => format!("{:.0} min", s / 60.0),
+        s if s < 172_800.0 => format!("{:.1} h", s / 3600.0),
+        s => format!("{:.1} days", s / 86_400.0),
+    };
+    format!("{words} left, ")
 }
 
 impl Drop for Progress {
@@ -194,5 +218,20 @@ impl Drop for Progress {
             bar.finish_and_clear();
         }
         *BAR.lock().unwrap() = None;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_rest_takes_as_long_as_what_is_done() {
+        let left = |minutes: u64, before, done| left(Duration::from_secs(60 * minutes), before, done);
+        assert_eq!(left(10, 0.0, 0.25), "30 min left, ");
+        // A run that was resumed at a half.
+        assert_eq!(left(10, 0.5, 0.75), "10 min left, ");
+        assert_eq!(left(60, 0.0, 0.25) + &left(1, 0.0, 0.5), "3.0 h left, 60 s left, ");
+        assert_eq!(left(10, 0.5, 0.505) + &left(10, 0.0, 1.0), "");
     }
 }

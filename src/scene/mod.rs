@@ -1,11 +1,12 @@
 //! Scenes: a TOML file is read into raw tables, completed from the material library and the defaults, and validated into a
 //! [`Scene`]. From the top: `schema` (the keys described), `reading` (text -> tables -> completed tables -> scene), `warnings` and `identity` (what a scene may be
 //! asked), `validated` (the scene), `hydrostatic` (bodies under their own weight), `tables` (one file per table), `geometry`, `values`
-//! (what all tables use), `document` (the text), `mesh` (shape models). Files import from those below only.
+//! (what all tables use), `document` (the text), `mesh` (shape models), `given` (particles from files). Files import from those below only.
 
 pub mod answer;
 mod document;
 mod geometry;
+pub mod given;
 mod hydrostatic;
 pub mod identity;
 mod mesh;
@@ -24,6 +25,7 @@ pub use hydrostatic::pressed::Pressed;
 pub use reading::read::{of, read, with, with_files};
 pub use tables::body::blast::Blast;
 pub use tables::body::flow::{Flow, Streams, VibrationMode};
+pub use tables::body::given::{Given, Handover};
 pub use tables::body::table::InitialState;
 pub use tables::body::validated::Body;
 pub use tables::compare::{ComparisonSettings, Solution};

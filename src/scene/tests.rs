@@ -218,7 +218,7 @@ fn a_gas_does_not_break() {
 fn unknown_keys_name_the_nearest_known_one() {
     let text = complaint("spacing = 0.2", "spacng = 0.2");
     assert!(text.starts_with("s.toml:5: body ball, spacng: unknown key `spacng`, did you mean `spacing`?"), "{text}");
-    assert!(text.contains("(allowed: name, shape, material, particles, spacing,"), "{text}");
+    assert!(text.contains("(allowed: name, shape, from, material, particles, spacing,"), "{text}");
     let text = complaint("radius", "raduis");
     assert!(text.starts_with("s.toml:3: ") && text.contains("did you mean `radius`?"), "{text}");
     let text = complaint("sphere", "shpere");

@@ -116,7 +116,7 @@ impl Scene {
     /// The body at the point of impact: the target, or the finest of its parts.
     pub fn at_impact(&self) -> Option<usize> {
         let target = self.impact.as_ref()?.target;
-        let finer = |body: &usize| self.bodies[*body].whole(*body) == target;
+        let finer = |body: &usize| self.bodies[*body].cut.is_some_and(|cut| cut.body == target);
         (target + 1..self.bodies.len()).find(finer).or(Some(target))
     }
 

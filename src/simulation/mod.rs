@@ -3,6 +3,7 @@
 mod collapse;
 mod due;
 pub mod footprint;
+mod handover;
 mod late;
 mod open;
 mod require;

@@ -20,6 +20,7 @@ use crate::process::faults::Fault;
 use crate::process::{log, resources};
 use crate::scene::Scene;
 use crate::step::packing::DensityCheck;
+use crate::step::phases::Trace;
 use crate::step::time_step::{Limit, NamedLimit};
 use crate::step::{Counters, Stepper};
 use crate::warning;
@@ -43,13 +44,19 @@ impl<'a, const D: usize> Run<'a, D> {
         } else {
             None
         };
+        let fresh = saved.is_none();
         let (mut stepper, state) = match saved {
             Some(saved) => Self::restore(scene, plan, saved, &fault, comm)?,
             None => Self::start(scene, plan, &fault, comm)?,
         };
         let totals = stepper.totals();
         let history = history(scene, options, &stepper, comm)?;
-        Ok(Self {
+        if options.trace {
+            // All clocks begin together.
+            comm.barrier();
+            stepper.phases.trace = Some(Trace::begin());
+        }
+        let mut run = Self {
             scene,
             options,
             comm,
@@ -66,11 +73,16 @@ impl<'a, const D: usize> Run<'a, D> {
             comparison,
             density: DensityCheck::unknown(),
             failed: None,
+            members: None,
             products: Products::default(),
             last: None,
             collapse: Collapse::default(),
             limit: NamedLimit { limit: Limit { id: ParticleId(0), ..Limit::NONE }, reason: "" },
-        })
+        };
+        if fresh {
+            run.state.target_turn = run.turn_of_target();
+        }
+        Ok(run)
     }
 
     /// Particles and state of a checkpoint.
@@ -122,6 +134,7 @@ impl<'a, const D: usize> Run<'a, D> {
             late: None,
             vibration: Vec::new(),
             most_filling: 0.0,
+            target_turn: None,
             outcome: None,
             crater: None,
             outcome_time: 0.0,

@@ -32,6 +32,8 @@ pub struct Options {
     pub resident_at_start: f64,
     /// The choice by which the scene got its settings, for the summary; and its description in the log.
     pub accuracy: Option<Accuracy>,
+    /// Whether to note what each rank does when.
+    pub trace: bool,
 }
 
 /// How a run ended.
@@ -70,6 +72,8 @@ pub(super) struct Run<'a, const D: usize> {
     pub(super) density: DensityCheck,
     /// An error of this rank alone.
     pub(super) failed: Option<Error>,
+    /// The largest remnant, once it has been found.
+    pub(super) members: Option<Members>,
     /// Files of an outcome to be written.
     pub(super) products: Products,
     /// The step at which the run is to stop before its end.
@@ -77,6 +81,12 @@ pub(super) struct Run<'a, const D: usize> {
     pub(super) collapse: Collapse,
     /// The tightest limit of the time step, and its name.
     pub(super) limit: NamedLimit,
+}
+
+/// Which of this rank's particles belonged to the largest remnant after a step.
+pub(super) struct Members {
+    pub step: u64,
+    pub in_largest: Vec<bool>,
 }
 
 /// Files of an outcome that are still to be written.

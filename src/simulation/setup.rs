@@ -1,8 +1,7 @@
 //! From a scene to particles that can be stepped: effects, columns, terms of the pair loop, initial conditions. Every rank
 //! makes an equal share of each body's lattice sites; no rank ever holds them all.
 
-use std::ops::Range;
-
+use super::handover;
 use super::rigid;
 use super::scales::free_fall_time_of;
 use crate::comparison::modes;
@@ -68,7 +67,16 @@ pub fn expected_particles(scene: &Scene) -> Option<Vec<BodyConstants>> {
 
 /// Counts the particles of each body, each rank its share of the lattice sites. Collective.
 pub fn count_particles(scene: &Scene, comm: &Comm) -> Result<Vec<BodyConstants>> {
-    let mine = scene.bodies.iter().map(|body| body.count(share(body.lattice_sites(), comm)) as i64);
+    let mine = scene.bodies.iter().map(|body| match &body.given {
+        Some(given) => {
+            if comm.is_root() {
+                given.particles as i64
+            } else {
+                0
+            }
+        }
+        None => body.count(comm.share(body.lattice_sites())) as i64,
+    });
     let mut counts: Vec<i64> = mine.collect();
     comm.all_sum(&mut counts);
     let constants = scene.bodies.iter().zip(&counts).map(|(body, &count)| {
@@ -299,7 +307,7 @@ impl Plan {
                 }
                 InitialState::Unloaded => None,
             };
-            let sites = share(body.lattice_sites(), comm);
+            let sites = comm.share(body.lattice_sites());
             let count = body.count(sites.clone()) as usize;
             let first = columns.len();
             columns.resize(first + count);
@@ -342,7 +350,9 @@ impl Plan {
                 heated.heat(&mut columns, first, core.position, u, comm);
             }
         }
-        Ok((columns, self.settings(scene)))
+        let layer = self.motions.as_ref().and_then(|motions| motions.layer);
+        let presets = handover::take(scene, &core, layer, &mut columns, comm)?;
+        Ok((columns, StepSettings { presets, ..self.settings(scene) }))
     }
 
     /// The settings of steps for particles from a checkpoint.
@@ -375,6 +385,7 @@ impl Plan {
             pair_loop,
             cfl: numerics.cfl,
             skin: self.skin,
+            presets: Vec::new(),
         }
     }
 }
@@ -406,10 +417,4 @@ impl Heated<'_> {
             columns.set(energy, i, columns.get(energy, i) + added);
         }
     }
-}
-
-/// This rank's share of `count` sites.
-pub fn share(count: u64, comm: &Comm) -> Range<u64> {
-    let part = |rank: usize| (count as u128 * rank as u128 / comm.size() as u128) as u64;
-    part(comm.rank())..part(comm.rank() + 1)
 }

@@ -125,6 +125,9 @@ pub struct RunState {
     /// A body that hits another, where the scene asks for it.
     #[serde(default)]
     pub bounce: Option<Bounce>,
+    /// Angular momentum of an impact's target about its centre of mass at the start, kg m^2/s.
+    #[serde(default)]
+    pub target_turn: Option<[f64; 3]>,
     /// Outcome where the run settled, or at its end: this one counts. `None` for ground.
     pub outcome: Option<Outcome>,
     /// The crater in a flat face, at the same time.

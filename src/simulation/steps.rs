@@ -13,7 +13,7 @@ use crate::output::publish::replace_text;
 use crate::output::{agree, on_root};
 use crate::process::faults::Trigger;
 use crate::process::log::Progress;
-use crate::process::signals;
+use crate::process::{resources, signals};
 use crate::scene::{Scene, Until};
 use crate::step::Failure;
 use crate::step::time_step::NamedLimit;
@@ -69,9 +69,11 @@ impl<'a, const D: usize> Run<'a, D> {
                 let saved = self.write_checkpoint();
                 // The first error says more than its consequences.
                 agree(self.comm, self.failed.take().map_or(Ok(()), Err)).and(saved)?;
+                self.report_to(stepped.signal < STOP);
             }
             if stepped.signal >= STOP {
                 self.write_products()?;
+                self.write_trace()?;
                 if self.comm.is_root() {
                     tracing::warn!("stopped at step {steps}, t = {:e} s; --resume continues", self.stepper.state.time);
                 }
@@ -242,6 +244,10 @@ impl<'a, const D: usize> Run<'a, D> {
             true => format!("energy drift {:.1e}, ", state.conservation.energy_drift()),
             false => String::new(), // cold matter does not account for it
         };
-        format!("t {:.3e} s, step {}, {energy}dt {:.2e} s by {reason}{particle}", steps.time, steps.step, steps.next)
+        let memory = resources::resident_bytes() / f64::from(1 << 30);
+        format!(
+            "t {:.3e} s, step {}, {energy}dt {:.2e} s by {reason}{particle}, {memory:.2} GiB",
+            steps.time, steps.step, steps.next
+        )
     }
 }

@@ -1,6 +1,8 @@
 //! Conserved quantities and diagnostics of effects, summed over all particles of all ranks exactly: no order of particles or
 //! ranks can change a bit.
 
+use rayon::prelude::*;
+
 use super::settings::StepSettings;
 use crate::domain::comm::Comm;
 use crate::material::eos::INTERNAL_ENERGY;
@@ -57,6 +59,8 @@ impl Totals {
     }
 }
 
+/// Particles that a thread sums up by itself, at least.
+const SHARE: usize = 1 << 13;
 /// Sums that every scene has, before those of effects.
 const FIXED: usize = 15;
 
@@ -66,8 +70,8 @@ pub fn totals(columns: &Columns, settings: &StepSettings, gravity_age: f64, comm
     let internal_energy = columns.registry.find::<f64>(INTERNAL_ENERGY);
     let counts: Vec<usize> = effects.iter().map(|effect| effect.diagnostics().len()).collect();
     let potential = FIXED + counts.iter().sum::<usize>();
-    let mut sums = vec![ExactSum::new(); potential + gravity.is_some() as usize];
-    for i in 0..columns.len() {
+    let nothing = || vec![ExactSum::new(); potential + gravity.is_some() as usize];
+    let add = |mut sums: Vec<ExactSum>, i: usize| {
         let body = columns.get(view.core.id, i).body();
         let m = view.constants[body].particle_mass;
         let (x, v) = (columns.get(view.core.position, i), columns.get(view.core.velocity, i));
@@ -106,7 +110,16 @@ pub fn totals(columns: &Columns, settings: &StepSettings, gravity_age: f64, comm
             }
             first += count;
         }
-    }
+        sums
+    };
+    let merge = |mut sums: Vec<ExactSum>, others: Vec<ExactSum>| {
+        sums.iter_mut().zip(&others).for_each(|(sum, other)| sum.merge(other));
+        sums
+    };
+    let mut sums = match rayon::current_num_threads() {
+        1 => (0..columns.len()).fold(nothing(), add),
+        _ => (0..columns.len()).into_par_iter().with_min_len(SHARE).fold(nothing, add).reduce(nothing, merge),
+    };
     let values = comm.sum_exactly(&mut sums);
     Totals {
         mass: values[0],

@@ -43,6 +43,17 @@ pub struct StepSettings {
     pub cfl: f64,
     /// Margin of the neighbour lists.
     pub skin: Skin,
+    /// Values with which some particles start whatever effects initialise: those of a file.
+    pub presets: Vec<Preset>,
+}
+
+/// Values of a column of some particles at the start.
+pub struct Preset {
+    /// Index of the column.
+    pub column: usize,
+    /// The first particle.
+    pub first: usize,
+    pub words: Vec<u64>,
 }
 
 impl StepSettings {

@@ -96,6 +96,10 @@ impl<'c, const D: usize> Stepper<'c, D> {
         self.find_chunks();
         self.weigh_rigid();
         self.chunk_pass(|passes, chunk, workspace| passes.initialise(chunk, workspace));
+        for preset in std::mem::take(&mut self.settings.presets) {
+            let first = preset.first * self.columns.width(preset.column);
+            self.columns.words_mut(preset.column)[first..first + preset.words.len()].copy_from_slice(&preset.words);
+        }
         let found = self.collect();
         reduction::before_evaluation(&found, 0.0, 0, self.comm)?;
         self.rebuild(true);

@@ -276,6 +276,9 @@ impl<'a> Found<'a> {
         replace_text(&directory.join("threshold.csv"), &self.table())?;
         or_warn(self.remnant_figure().draw(&directory.join("threshold.png")));
         or_warn(self.radius_figure().draw(&directory.join("q_star.png")));
+        if self.search.scene.output.picture {
+            or_warn(crate::report::write(directory, false).map(|_| ()));
+        }
         Ok(())
     }
 

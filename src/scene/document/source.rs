@@ -11,6 +11,7 @@ use toml::{Table, Value};
 use super::input;
 use crate::error::{Error, Result};
 use crate::material::eos::tabulated::grid::Grid;
+use crate::scene::given::Gathered;
 use crate::scene::mesh;
 
 /// Text and overrides a scene was read from.
@@ -25,6 +26,8 @@ pub struct SourceText {
     pub meshes: BTreeMap<String, mesh::Shared>,
     /// Tables of equations of state by the names of their files.
     pub tables: BTreeMap<String, Arc<Grid>>,
+    /// What is known of particles in files, by `FromTable::key`.
+    pub given: BTreeMap<String, Arc<Gathered>>,
 }
 
 impl SourceText {
@@ -59,8 +62,9 @@ pub struct Document<'a> {
 
 /// Keys of one table that say the same thing in another way: where one is set over a scene, or named by a scene over the
 /// library, the later word counts.
-const RIVALS: [&[&str]; 17] = [
+const RIVALS: [&[&str]; 18] = [
     &["particles", "spacing"],
+    &["shape", "from"],
     &["eta", "neighbours"],
     &["snapshots", "every"],
     &["seed", "axis"],
@@ -111,6 +115,11 @@ impl<'a> Document<'a> {
     /// The shape model in a file, where that has been read.
     pub fn mesh(&self, file: &str) -> Option<&mesh::Mesh> {
         self.source.meshes.get(file).map(|mesh| &**mesh)
+    }
+
+    /// What is known of the particles of a file, where that has been read.
+    pub fn given(&self, key: &str) -> Option<Arc<Gathered>> {
+        self.source.given.get(key).cloned()
     }
 
     /// Whether the scene has a key, before anything is filled up.

@@ -9,3 +9,4 @@ pub mod lattice;
 pub mod periods;
 pub mod rubble;
 pub mod shape;
+pub mod voxels;

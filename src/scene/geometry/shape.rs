@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::bounding_box::{BoundingBox, TOUCHING};
 use super::compound::{Compound, Solid};
+use super::voxels::Voxels;
 use crate::scene::mesh::Shared;
 
 /// A shape; lengths in m.
@@ -29,6 +30,8 @@ pub enum BodyShape {
     Mesh(Shared),
     /// Several shapes.
     Compound(Compound<BodyShape>),
+    /// Where particles of a file are.
+    Voxels(Voxels),
 }
 
 impl BodyShape {
@@ -39,6 +42,7 @@ impl BodyShape {
             BodyShape::Ellipsoid { axes } => ball(1.0) * axes[..dimension].iter().product::<f64>(),
             BodyShape::Mesh(ref mesh) => mesh.volume,
             BodyShape::Compound(ref compound) => compound.volume,
+            BodyShape::Voxels(ref voxels) => voxels.volume,
             BodyShape::Sphere { radius } => ball(radius),
             BodyShape::HalfSphere { radius, inner } => 0.5 * (ball(radius) - ball(inner)),
             BodyShape::Box { size } => size[..dimension].iter().product(),
@@ -55,6 +59,7 @@ impl BodyShape {
             BodyShape::Ellipsoid { axes } => scaled(point, &axes, dimension) <= 1.0,
             BodyShape::Mesh(ref mesh) => mesh.contains(point),
             BodyShape::Compound(ref compound) => compound.contains(point, dimension),
+            BodyShape::Voxels(ref voxels) => voxels.contains(point),
             BodyShape::Sphere { radius } => x * x + y * y + z * z <= radius * radius,
             BodyShape::HalfSphere { radius, inner } => {
                 let square = x * x + y * y + z * z;
@@ -75,10 +80,8 @@ impl BodyShape {
         match *self {
             BodyShape::Sphere { radius } => half[..dimension].fill(radius),
             BodyShape::Ellipsoid { axes } => half = axes,
-            BodyShape::Mesh(ref mesh) => {
-                middle = mesh.bounds().map(|[low, high]| 0.5 * (low + high));
-                half = mesh.bounds().map(|[low, high]| 0.5 * (high - low));
-            }
+            BodyShape::Mesh(ref mesh) => (middle, half) = around(&mesh.bounds()),
+            BodyShape::Voxels(ref voxels) => (middle, half) = around(&voxels.bounds),
             BodyShape::Compound(ref compound) => return compound.bounds(dimension),
             BodyShape::HalfSphere { radius, .. } => {
                 half[..dimension].fill(radius);
@@ -102,6 +105,7 @@ impl BodyShape {
             BodyShape::Ellipsoid { axes } => axes.into_iter().fold(0.0, f64::max),
             BodyShape::Mesh(ref mesh) => mesh.outer_radius(),
             BodyShape::Compound(ref compound) => compound.outer_radius(),
+            BodyShape::Voxels(ref voxels) => voxels.outer_radius,
             BodyShape::Box { size } => 0.5 * (size[0] * size[0] + size[1] * size[1] + size[2] * size[2]).sqrt(),
             BodyShape::Cylinder { radius, height } | BodyShape::Heap { radius, height, .. } => {
                 (radius * radius + 0.25 * height * height).sqrt()
@@ -116,13 +120,17 @@ impl BodyShape {
 
     /// Whether the shape has no face that is called its upper one: an impact then comes along x.
     pub fn is_round(&self) -> bool {
-        use BodyShape::{Compound, Ellipsoid, Mesh, Sphere};
-        matches!(self, Sphere { .. } | Ellipsoid { .. } | Mesh(_) | Compound(_))
+        use BodyShape::{Compound, Ellipsoid, Mesh, Sphere, Voxels};
+        matches!(self, Sphere { .. } | Ellipsoid { .. } | Mesh(_) | Compound(_) | Voxels(_))
     }
 
     /// Whether [`BodyShape::depth`] is known.
     pub fn has_depth(&self, dimension: usize) -> bool {
-        !matches!(self, BodyShape::Compound(compound) if compound.depth([0.0; 3], dimension).is_none())
+        match self {
+            BodyShape::Compound(compound) => compound.depth([0.0; 3], dimension).is_some(),
+            BodyShape::Voxels(_) => false,
+            _ => true,
+        }
     }
 
     /// Where the axis from the centre along x leaves the shape last, m; none where it does not pass through it.
@@ -147,7 +155,9 @@ impl BodyShape {
     pub fn outer_distance(&self, point: [f64; 3], across: [bool; 3], dimension: usize) -> f64 {
         let [x, y, z] = point;
         match *self {
-            BodyShape::Ellipsoid { .. } | BodyShape::Mesh(_) | BodyShape::Compound(_) => self.depth(point, dimension),
+            BodyShape::Ellipsoid { .. } | BodyShape::Mesh(_) | BodyShape::Compound(_) | BodyShape::Voxels(_) => {
+                self.depth(point, dimension)
+            }
             BodyShape::Sphere { radius } | BodyShape::HalfSphere { radius, .. } => {
                 radius - (x * x + y * y + z * z).sqrt()
             }
@@ -186,6 +196,7 @@ impl BodyShape {
             }
             BodyShape::Mesh(ref mesh) => mesh.distance(point),
             BodyShape::Compound(ref compound) => compound.depth(point, dimension).unwrap_or(0.0),
+            BodyShape::Voxels(_) => 0.0,
             BodyShape::Sphere { radius } => radius - from_centre,
             BodyShape::HalfSphere { radius, inner } => {
                 let hollow = if inner > 0.0 { from_centre - inner } else { f64::INFINITY };
@@ -205,6 +216,7 @@ impl BodyShape {
     pub fn largest_outer_distance(&self, across: [bool; 3], dimension: usize) -> f64 {
         let innermost = match *self {
             BodyShape::Compound(ref compound) => return compound.outer_radius(),
+            BodyShape::Voxels(ref voxels) => return voxels.outer_radius,
             BodyShape::Sphere { .. } | BodyShape::Ellipsoid { .. } | BodyShape::Mesh(_) => [0.0; 3],
             BodyShape::HalfSphere { inner, .. } => std::array::from_fn(|k| if k == 0 { inner } else { 0.0 }),
             BodyShape::Cylinder { height, .. } => [0.0, 0.0, 0.5 * height],
@@ -254,6 +266,11 @@ impl Solid for BodyShape {
     fn depth(&self, point: [f64; 3], dimension: usize) -> Option<f64> {
         self.has_depth(dimension).then(|| self.depth(point, dimension))
     }
+}
+
+/// Middle and half extents of bounds.
+fn around(bounds: &[[f64; 2]; 3]) -> ([f64; 3], [f64; 3]) {
+    (bounds.map(|[low, high]| 0.5 * (low + high)), bounds.map(|[low, high]| 0.5 * (high - low)))
 }
 
 /// Square of the distance from the centre of an ellipsoid over that of its surface there.

@@ -23,13 +23,18 @@ pub struct BodyContext<'a> {
 pub struct Bodies {
     /// Those that the scene names.
     pub named: Vec<Body>,
-    /// The inner parts of a refined target, the finest first.
+    /// The inner parts of a refined target, the finest first, and further groups of particles of files.
     pub parts: Vec<Body>,
 }
 
 impl BodyContext<'_> {
     /// The body of this number. `target_spacing`: what `spacing = "target"` stands for, m.
     pub fn read(&self, number: usize, target_spacing: Option<f64>) -> Result<Body> {
+        Ok(self.read_parts(number, target_spacing)?.remove(0))
+    }
+
+    /// The body of this number, and further ones where its particles come from a file.
+    fn read_parts(&self, number: usize, target_spacing: Option<f64>) -> Result<Vec<Body>> {
         let table = &self.tables.body[number];
         let path = format!("body.{number}");
         // A date is text to one reader of TOML and not to the other.
@@ -42,7 +47,10 @@ impl BodyContext<'_> {
         let dimension = self.tables.dimension as usize;
         let reader =
             BodyReader { document: self.document, path, dimension, periods: self.periods, target_spacing, placed };
-        reader.read(table, (index, material))
+        match table.from {
+            Some(_) => reader.read_given(table, number, &self.tables.material),
+            None => Ok(vec![reader.read(table, (index, material))?]),
+        }
     }
 
     /// The spacing of the target where it is hit, m.
@@ -57,10 +65,14 @@ impl BodyContext<'_> {
         let target_spacing = self.impact.map(|impact| self.target_spacing(impact)).transpose()?;
         let read = |number: usize| {
             let is_projectile = self.impact.is_some_and(|impact| impact.projectile == number);
-            self.read(number, target_spacing.filter(|_| is_projectile))
+            self.read_parts(number, target_spacing.filter(|_| is_projectile))
         };
-        let named = (0..self.tables.body.len()).map(read).collect::<Result<Vec<_>>>()?;
-        let mut bodies = Bodies { named, parts: Vec::new() };
+        let mut bodies = Bodies { named: Vec::new(), parts: Vec::new() };
+        for number in 0..self.tables.body.len() {
+            let mut parts = read(number)?.into_iter();
+            bodies.named.extend(parts.next());
+            bodies.parts.extend(parts);
+        }
         if let Some(impact) = self.impact {
             self.refine(&mut bodies, impact)?;
             self.place_projectile(&mut bodies, impact, eta)?;
@@ -82,22 +94,26 @@ impl BodyContext<'_> {
         let Some(refine) = self.tables.impact.as_ref().and_then(|impact| impact.refinement()) else { return Ok(()) };
         let ImpactSettings { target, projectile, .. } = *impact;
         let point = impact.point(&bodies.named[target], &bodies.named[projectile]);
-        bodies.parts = refine.parts(self.document, &bodies.named, Hit { target, projectile, point })?;
-        if let Some(outermost) = bodies.parts.pop() {
+        let mut parts = refine.parts(self.document, &bodies.named, Hit { target, projectile, point })?;
+        if let Some(outermost) = parts.pop() {
             bodies.named[target] = outermost;
         }
+        bodies.parts.splice(0..0, parts);
         Ok(())
     }
 
     fn place_projectile(&self, bodies: &mut Bodies, impact: &ImpactSettings, eta: f64) -> Result<()> {
         let (target, projectile) = (&bodies.named[impact.target], &bodies.named[impact.projectile]);
-        let near = bodies.parts.first().unwrap_or(target);
+        let near = bodies.parts.iter().find(|part| part.cut.is_some()).unwrap_or(target);
         let h = near.expected_smoothing_length(eta).max(projectile.expected_smoothing_length(eta));
         let placed = impact.place(target, projectile, SUPPORT * h);
         let place = || self.document.place(&format!("body.{}.shape", impact.projectile));
         let (centre, velocity) = placed.map_err(|e| e.at(place()))?;
-        let projectile = &mut bodies.named[impact.projectile];
-        (projectile.centre, projectile.velocity) = (centre, velocity);
+        let of_projectile = |part: &&mut Body| part.given.as_ref().is_some_and(|given| given.body == impact.projectile);
+        let parts = bodies.parts.iter_mut().filter(of_projectile);
+        for part in parts.chain([&mut bodies.named[impact.projectile]]) {
+            (part.centre, part.velocity) = (centre, velocity);
+        }
         Ok(())
     }
 }

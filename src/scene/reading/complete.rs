@@ -61,7 +61,7 @@ fn fastest_motion(document: &Document, tables: &SceneTables, bodies: &[BodyTable
     let length = |numbers: &mut dyn Iterator<Item = f64>| numbers.map(|x| x * x).sum::<f64>().sqrt();
     let (mut fastest, mut farthest) = (tables.impact.as_ref().map_or(0.0, |impact| impact.speed.0), 0.0f64);
     for body in bodies {
-        let shape = body.shape.validate(document, "", tables.dimension as usize);
+        let shape = body.shape.as_ref().and_then(|shape| shape.validate(document, "", tables.dimension as usize).ok());
         let radius = shape.map_or(0.0, |shape| shape.outer_radius());
         let speed = body.velocity.iter().chain(body.prescribed_velocity()).flat_map(|v| &v.0).map(|v| v.0);
         let spin = body.spin.iter().flat_map(|w| &w.0).map(|w| w.0);

@@ -29,7 +29,20 @@ pub fn read_into(source: &mut SourceText) -> Result<()> {
             let whole = std::path::absolute(source.folder().join(file)).map_err(|e| wrong(e.to_string()))?;
             let shown = whole.display().to_string();
             let text = input::read_large(&whole).map_err(|e| wrong(format!("cannot read {shown}: {e}")))?;
-            let rows = formats::read(format, &text).and_then(Grid::new);
+            let mut rows = formats::read(format, &text);
+            if let Some(phases) = table.and_then(|table| table.get("phases")).and_then(Value::as_str) {
+                let key = format!("material.{name}.eos.table.phases");
+                let wrong = |what: String| document.error(&key, what);
+                let whole = std::path::absolute(source.folder().join(phases)).map_err(|e| wrong(e.to_string()))?;
+                let shown = whole.display().to_string();
+                let text = input::read_large(&whole).map_err(|e| wrong(format!("cannot read {shown}: {e}")))?;
+                if let Ok(rows) = &mut rows {
+                    formats::add_phases(rows, &text)
+                        .map_err(|what| Error::new(what).at(&shown).allowed("phases of the same states"))?;
+                }
+                overrides.push(format!("{key}={}", Value::String(shown)));
+            }
+            let rows = rows.and_then(Grid::new);
             let grid =
                 rows.map_err(|what| Error::new(what).at(&shown).allowed("a table in the format that is named"))?;
             overrides.push(format!("{key}={}", Value::String(shown.clone())));

@@ -22,24 +22,30 @@ pub fn complete(document: &mut Document) -> Result<()> {
         Some(_) => return Err(document.error("material", "`material` is not a table").allowed("[material.basalt]")),
     };
     let bodies = document.tree.get("body").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
-    let used: Vec<&str> = bodies.iter().filter_map(|b| b.get("material")?.as_str()).collect();
-    let different: BTreeSet<&str> = used.iter().copied().collect();
-    if let Some(name) = own.keys().find(|name| !used.contains(&name.as_str())) {
+    let used: Vec<(String, &str)> = bodies.iter().enumerate().flat_map(|(number, body)| named(number, body)).collect();
+    let different: BTreeSet<&str> = used.iter().map(|(_, name)| *name).collect();
+    if let Some(name) = own.keys().find(|name| !different.contains(name.as_str())) {
         let known: Vec<String> = different.into_iter().map(str::to_string).collect();
         return Err(unknown(document, &format!("material.{name}"), "material: no body is made of", name, &known));
     }
     let mut all = Table::new();
-    for (number, name) in used.iter().enumerate() {
+    for (place, name) in &used {
         if !all.contains_key(*name) {
-            let place = format!("body.{number}.material");
-            all.insert(
-                name.to_string(),
-                Value::Table(material(document, &library, name, own.get(*name), &place, viscosity)?),
-            );
+            let complete = material(document, &library, name, own.get(*name), place, viscosity)?;
+            all.insert(name.to_string(), Value::Table(complete));
         }
     }
     document.tree.insert("material".into(), Value::Table(all));
     Ok(())
+}
+
+/// Where a body names materials, and which: its own, and those of what comes from a file.
+fn named(number: usize, body: &Value) -> Vec<(String, &str)> {
+    let own = body.get("material").and_then(Value::as_str).map(|name| (format!("body.{number}.material"), name));
+    let others = body.get("from").and_then(|from| from.get("materials")?.as_table()).into_iter().flatten();
+    let others =
+        others.filter_map(|(origin, name)| Some((format!("body.{number}.from.materials.{origin}"), name.as_str()?)));
+    own.into_iter().chain(others).collect()
 }
 
 /// The complete tables of one material; `place` is where a body names it.

@@ -5,6 +5,7 @@ mod checks;
 mod complete;
 mod curves;
 mod eos_tables;
+mod given;
 mod library;
 mod meshes;
 mod quality;

@@ -8,7 +8,7 @@ use toml::{Table, Value};
 use super::complete::complete;
 use super::tables::SceneTables;
 use super::validate::validate;
-use super::{curves, eos_tables, library, meshes, quality};
+use super::{curves, eos_tables, given, library, meshes, quality};
 use crate::error::{Error, Result};
 use crate::scene::document::keys;
 use crate::scene::document::source::{Document, SourceText};
@@ -29,6 +29,7 @@ pub fn with_files(mut source: SourceText) -> Result<SourceText> {
     curves::read_into(&mut source)?;
     meshes::read_into(&mut source)?;
     eos_tables::read_into(&mut source)?;
+    given::read_into(&mut source)?;
     Ok(source)
 }
 

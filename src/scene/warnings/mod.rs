@@ -1,4 +1,5 @@
 //! What is allowed in a scene and still unlikely to be meant.
 
+mod equilibrium;
 mod resolution;
 mod units;

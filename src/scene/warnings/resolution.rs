@@ -20,6 +20,9 @@ const PASSING: f64 = 2.0;
 /// 50 m/s, and with 2 they bounced.
 const ENOUGH: f64 = 1.0;
 
+/// Particles of a projectile in 2D and 3D below which it is told: with fewer all of it is surface.
+const FEW_PARTICLES: [f64; 2] = [8.0, 20.0];
+
 /// Least thickness of a layer that holds what lies in it, in supports: the outermost tenth of a kernel weighs a thousandth.
 const THIN: f64 = 0.9;
 
@@ -31,8 +34,22 @@ impl Scene {
             let target = self.at_impact().unwrap_or(impact.target);
             small_projectile(&self.bodies[target], &self.bodies[impact.projectile])
         });
-        let of_impact = small.into_iter().chain(self.graze());
+        let of_impact = small.into_iter().chain(self.coarse_projectile()).chain(self.graze());
         of_impact.chain(self.few_neighbours()).chain(self.passing_through()).chain(self.thin_layer()).collect()
+    }
+
+    /// A projectile of so few particles that all of it is surface.
+    fn coarse_projectile(&self) -> Option<Warning> {
+        let body = &self.bodies[self.impact.as_ref()?.projectile];
+        let (found, few) = (body.expected_particles(), FEW_PARTICLES[self.dimension - 2]);
+        (found < few).then(|| {
+            let text = format!(
+                "`{}` is of some {found:.0} particles: its mass, momentum and energy are right, the shock that it makes and what becomes of it are \
+                 those of a lump (change: particles = 100 of it, or impact.refine = true with it)",
+                body.name
+            );
+            Warning::new("coarse_projectile", text)
+        })
     }
 
     /// A layer along a body's outer faces that matter beside it reaches through: it does not hold what it should.

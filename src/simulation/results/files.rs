@@ -9,7 +9,7 @@ use crate::outcome::vapour::Vapour;
 use crate::outcome::{self, Evaluation, Particle, Question};
 use crate::output::{Cell, CheckpointMeta, Snapshot, Storage, checkpoint, snapshot};
 use crate::process::resources;
-use crate::scene::{Precision, Snapshots};
+use crate::scene::{Body, Precision, Snapshots};
 use crate::simulation::due::Due;
 use crate::simulation::rigid;
 use crate::simulation::run::Run;
@@ -99,12 +99,22 @@ impl<const D: usize> Run<'_, D> {
             ("angular_momentum_drift".to_string(), self.state.conservation.angular_momentum),
         ];
         let output = &self.scene.output;
+        let scene = self.scene;
+        let names = |(number, body): (usize, &Body)| {
+            [scene.bodies[body.whole(number)].name.as_str(), scene.material_names[body.material].as_str()]
+        };
+        let bodies: Vec<[&str; 2]> = scene.bodies.iter().enumerate().map(names).collect();
+        let members = self.members.as_ref().filter(|members| members.step == self.stepper.state.step);
         let written = Snapshot {
             columns: &self.stepper.columns,
             view: &self.stepper.settings.view,
             time: self.stepper.state.time,
             step: self.stepper.state.step,
             scene: &self.scene.to_toml(),
+            late_stage: self.state.late.is_some(),
+            bodies: &bodies,
+            derived: &self.temperatures(),
+            in_largest: members.map(|members| &members.in_largest[..]),
             figures: &figures,
             storage: Storage {
                 single_precision: output.precision == Precision::F32,

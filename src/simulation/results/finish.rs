@@ -30,6 +30,7 @@ impl<const D: usize> Run<'_, D> {
             evaluation.outcome.bodies =
                 origin::by_body(self.comm, &self.particles(), &evaluation, &self.question(), &masses);
             evaluation.outcome.trend = self.state.lasting.as_ref().and_then(Lasting::trend);
+            self.find_remnant(&mut evaluation);
             let tables = distributions(self.comm, &evaluation, D);
             let named = [
                 ("fragments.csv", tables.fragments),
@@ -141,13 +142,14 @@ impl<const D: usize> Run<'_, D> {
         let failed = agree(self.comm, self.failed.take().map_or(Ok(()), Err));
         let safe = reported.is_ok();
         let shown = if snapshot { self.write_snapshot() } else { Ok(()) };
-        let written = self.write_products();
+        let written = self.write_products().and(self.write_trace());
         if self.scene.output.picture && self.comparison.is_some() {
             let drawn = self.errors(Some(&self.options.directory)).map(|_| ());
             if self.comm.is_root() {
                 or_warn(drawn);
             }
         }
+        self.report_to(false);
         let printed = warnings::of_scene(self.scene).len();
         let crater = self.state.crater.as_ref();
         summary::print(&summary, crater, printed, &self.options.directory, self.comm.is_root());
@@ -177,6 +179,13 @@ impl<const D: usize> Run<'_, D> {
         let figures = deposit::figures(&deposit, &settings);
         self.products.deposit = Some(deposit);
         Some(figures)
+    }
+
+    /// report.html, where pictures are asked for; `goes_on`: whether the run is not over. For rank 0, while the others go on.
+    pub(in crate::simulation) fn report_to(&self, goes_on: bool) {
+        if self.scene.output.picture && self.comm.is_root() {
+            or_warn(crate::report::write(&self.options.directory, goes_on).map(|_| ()));
+        }
     }
 
     /// The results of a run that ends here. Collective.

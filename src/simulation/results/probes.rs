@@ -37,8 +37,8 @@ pub fn row<const D: usize>(scene: &Scene, stepper: &Stepper<D>, comm: &Comm) -> 
     for i in 0..columns.len() {
         let id = columns.get(core.id, i);
         let body = &scene.bodies[id.body()];
-        let site = body.lattice.position(id.site());
-        let start = std::array::from_fn(|k| body.centre[k] + site[k]);
+        // Particles of a file have started from no place that is known.
+        let Some(start) = body.site(id.site()) else { continue };
         let m = stepper.settings.view.constants[id.body()].particle_mass;
         let volume = m / columns.get(core.density.value, i);
         let pores = distention.map_or(0.0, |alpha| columns.get(alpha, i) - 1.0);

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::report::{Report, turns_freely};
-use super::{deposit, fragments, ground, intrusion, restitution, warnings};
+use super::{deposit, fragments, ground, intrusion, remnant, restitution, warnings};
 use crate::domain::comm::Comm;
 use crate::outcome::Outcome;
 use crate::outcome::crater::Crater;
@@ -137,6 +137,7 @@ fn outcome_figures<const D: usize>(report: &Report<D>) -> Figures {
     let mut figures = vec![("time".to_string(), report.state.outcome_time)];
     if let Some(outcome) = &report.state.outcome {
         figures.extend(remnant_figures(outcome));
+        figures.extend(remnant::figures(outcome, report.state.target_turn, report.scene));
         figures.extend(momentum_enhancement(report.scene, outcome));
     }
     if let Some(crater) = &report.state.crater {

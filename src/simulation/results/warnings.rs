@@ -29,13 +29,15 @@ const OFF: f64 = 0.1;
 const LEAST_INSIDE: u64 = 20;
 /// Least particles of a remnant in 2D and 3D: about two thirds of so many lie at its surface.
 const FEW: [u64; 2] = [25, 100];
+/// Least radius of a crater, in smoothing lengths of the ground.
+const LEAST_CRATER: f64 = 4.0;
 /// Bodies whose masses differ by a smaller share are alike.
 const ALIKE: f64 = 0.01;
 
 /// Warnings before a run.
 pub fn of_scene(scene: &Scene) -> Vec<Warning> {
     let units = scene.warnings().into_iter().map(|text| Warning::new("units", text));
-    units.chain(scene.unresolved()).collect()
+    units.chain(scene.far_from_equilibrium()).chain(scene.unresolved()).collect()
 }
 
 /// Warnings after a run; `summary`: its figures.
@@ -54,6 +56,7 @@ pub fn of_run<const D: usize>(report: &Report<D>, summary: &Summary) -> Vec<Warn
         outcome.and_then(|outcome| few_particles(outcome, D)),
         outcome.and_then(|outcome| other_remnant(outcome, report.scene)),
         outcome.and_then(changing_remnant),
+        report.state.crater.as_ref().and_then(|crater| small_crater(crater.radius, report.scene)),
     ]
     .into_iter()
     .flatten()
@@ -188,6 +191,22 @@ fn changing_remnant(outcome: &Outcome) -> Option<Warning> {
     Some(Warning::new("changing", text))
 }
 
+/// A crater that the ground beneath cannot resolve.
+fn small_crater(radius: f64, scene: &Scene) -> Option<Warning> {
+    let ground = &scene.bodies[scene.at_impact()?];
+    let h = ground.expected_smoothing_length(scene.numerics.eta);
+    (radius > 0.0 && radius < LEAST_CRATER * h).then(|| {
+        let text = format!(
+            "the crater has a radius of {radius:.4} m, {:.1} smoothing lengths of the ground: neither its size nor what it throws out is resolved \
+             (change: a spacing of `{}` of at most {:.4} m, impact.refine)",
+            radius / h,
+            ground.name,
+            ground.lattice.spacing * radius / (LEAST_CRATER * h)
+        );
+        Warning::new("small_crater", text)
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -223,6 +242,15 @@ mod tests {
         assert_eq!(kind(crammed(0.0)) + &kind(crammed(0.99)) + &kind(crammed(1.01)), "filling");
         assert_eq!(kind(changing(0.039)), "");
         assert!(changing(0.041).is_some_and(|warning| warning.text.contains("by -0.030 of all mass")));
+    }
+
+    #[test]
+    fn craters_smaller_than_kernels_are_told() {
+        let scene = Scene::parse("di.toml", include_str!("../../../inputs/deep_impact.toml"), &[]).expect("a scene");
+        let h = scene.bodies[scene.at_impact().expect("ground")].expected_smoothing_length(scene.numerics.eta);
+        assert_eq!(kind(small_crater(4.1 * h, &scene)) + &kind(small_crater(0.0, &scene)), "");
+        let text = small_crater(2.0 * h, &scene).expect("a warning").text;
+        assert!(text.contains("2.0 smoothing lengths"), "{text}");
     }
 
     #[test]

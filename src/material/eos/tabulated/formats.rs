@@ -6,6 +6,7 @@
 //!            temperature and in it of each density u (J/kg), P (Pa), c (m/s), s (J/kg/K)                 SWIFT, WoMa
 //! sesame     six lines of head; from then on fields of 16 characters: numbers of densities and temperatures; densities, g/cm^3;
 //!            temperatures, K; of each temperature and in it of each density P, GPa; then u, MJ/kg        M-ANEOS, NEW-SESAME-STD.TXT
+//!            and, in NEW-SESAME-EXT.TXT, which of these phases: S, c and c_v, and then a number of each state's phase
 //! columns    on each line a density, kg/m^3, an energy, J/kg, a pressure, Pa, and, if there is one, a temperature, K
 //! ```
 
@@ -35,6 +36,9 @@ pub struct Row {
     pub pressure: Vec<f64>,
     /// K; empty where the table has none.
     pub temperature: Vec<f64>,
+    /// What M-ANEOS calls KPA, the number of a phase; empty where nobody says it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub phase: Vec<f64>,
 }
 
 /// Characters of a field of SESAME's tables, and lines before the first.
@@ -65,7 +69,27 @@ fn swift(text: &str) -> Result<Vec<Row>, String> {
     Ok(rows(density, temperature, |i, k| [state(0, i, k), state(1, i, k)]))
 }
 
-fn sesame(text: &str) -> Result<Vec<Row>, String> {
+/// Puts the phases of M-ANEOS's extended table beside the rows of its standard one; or says what is wrong.
+pub fn add_phases(rows: &mut [Row], text: &str) -> Result<(), String> {
+    let numbers = fields(text)?;
+    let mut rest = Numbers(&numbers);
+    let [densities, temperatures] = rest.grid()?;
+    if densities != rows.len() || rows.iter().any(|row| row.temperature.len() != temperatures) {
+        return Err(format!(
+            "{densities} densities and {temperatures} temperatures, other than the table of pressures"
+        ));
+    }
+    // Densities, temperatures, entropy, speed of sound, heat capacity.
+    rest.take(densities + temperatures + 3 * densities * temperatures)?;
+    let phase = rest.take(densities * temperatures)?;
+    for (i, row) in rows.iter_mut().enumerate() {
+        row.phase = (0..temperatures).map(|k| phase[k * densities + i]).collect();
+    }
+    Ok(())
+}
+
+/// The numbers of a table in fields of fixed width.
+fn fields(text: &str) -> Result<Vec<f64>, String> {
     let mut numbers = Vec::new();
     for (number, line) in (1..).zip(text.lines()).skip(HEAD) {
         let fields = line.as_bytes().chunks(FIELD).map(|field| std::str::from_utf8(field).unwrap_or("?").trim());
@@ -73,6 +97,11 @@ fn sesame(text: &str) -> Result<Vec<Row>, String> {
             numbers.push(field.parse().map_err(|_| format!("line {number}: `{field}` is no number"))?);
         }
     }
+    Ok(numbers)
+}
+
+fn sesame(text: &str) -> Result<Vec<Row>, String> {
+    let numbers = fields(text)?;
     let mut rest = Numbers(&numbers);
     let [densities, temperatures] = rest.grid()?;
     let density: Vec<f64> = rest.take(densities)?.iter().map(|rho| 1e3 * rho).collect();
@@ -96,7 +125,7 @@ fn columns(text: &str) -> Result<Vec<Row>, String> {
         };
         if rows.last().is_none_or(|row| row.density != density) {
             let [energy, pressure, temperature] = [const { Vec::new() }; 3];
-            rows.push(Row { density, energy, pressure, temperature });
+            rows.push(Row { density, energy, pressure, temperature, phase: Vec::new() });
         }
         let row = rows.last_mut().expect("just made");
         row.energy.push(energy);
@@ -111,7 +140,7 @@ fn rows(density: &[f64], temperature: &[f64], state: impl Fn(usize, usize) -> [f
     let row = |(i, &density): (usize, &f64)| {
         let states = (0..temperature.len()).map(|k| state(i, k));
         let (energy, pressure) = states.map(|[energy, pressure]| (energy, pressure)).unzip();
-        Row { density, energy, pressure, temperature: temperature.to_vec() }
+        Row { density, energy, pressure, temperature: temperature.to_vec(), phase: Vec::new() }
     };
     density.iter().enumerate().map(row).collect()
 }
@@ -152,6 +181,7 @@ mod tests {
             energy: energy.into(),
             pressure: pressure.into(),
             temperature: vec![0.0, 300.0],
+            phase: Vec::new(),
         };
         vec![
             row(1000.0, [0.0, 3e5], [-1e9, 2e9]),
@@ -183,6 +213,20 @@ mod tests {
         let columns = "rho,u,P,T\n1000,0,-1e9,0\n1000,3e5,2e9,300\n2000,1e6,4e9,0\n2000,1.5e6,5e9,300\n\n\
             3000 2e6 6e9 0\n3000 3e6 7e9 300\n";
         assert_eq!(read(Format::Columns, columns).unwrap(), expected());
+    }
+
+    #[test]
+    fn phases_stand_beside_the_states() {
+        let mut numbers = vec![3.0, 2.0, 1.0, 2.0, 3.0, 0.0, 300.0];
+        numbers.extend([7.0; 18]);
+        numbers.extend([4.0, 4.0, 4.0, 1.0, 2.0, 6.0]);
+        let lines: Vec<String> =
+            numbers.chunks(5).map(|line| line.iter().map(|x| format!("{x:16.8E}")).collect::<String>()).collect();
+        let text = format!("{}{}\n", "head\n".repeat(6), lines.join("\n"));
+        let mut rows = expected();
+        add_phases(&mut rows, &text).unwrap();
+        assert_eq!([0, 1, 2].map(|i| rows[i].phase.clone()), [vec![4.0, 1.0], vec![4.0, 2.0], vec![4.0, 6.0]]);
+        assert!(add_phases(&mut rows[..2], &text).unwrap_err().contains("other than the table of pressures"));
     }
 
     #[test]

@@ -186,10 +186,43 @@ impl Grid {
         Some(before + place.t * (after - before))
     }
 
+    /// Temperature at a density, kg/m^3, and an energy, J/kg, in K; none where the table has no temperatures.
+    pub fn temperature(&self, rho: f64, u: f64) -> Option<f64> {
+        let (place, x) = self.above_coldest(rho, u);
+        let of_row = |row: &Row| {
+            let (k, share) = before(row, x);
+            Some(row.temperature.get(k)? + share * (row.temperature.get(k + 1)? - row.temperature[k]))
+        };
+        let (before, after) = (of_row(&self.rows[place.row])?, of_row(&self.rows[place.row + 1])?);
+        Some(before + place.t * (after - before))
+    }
+
+    /// The number of the phase of the state of the table next to a density, kg/m^3, and an energy, J/kg; none where it has no phases.
+    pub fn phase(&self, rho: f64, u: f64) -> Option<f64> {
+        let (place, x) = self.above_coldest(rho, u);
+        let row = &self.rows[if place.t < 0.5 { place.row } else { place.row + 1 }];
+        let (k, share) = before(row, x);
+        row.phase.get(if share < 0.5 { k } else { k + 1 }).copied()
+    }
+
+    /// A place, and how much energy matter there has above the coldest, J/kg.
+    fn above_coldest(&self, rho: f64, u: f64) -> (Place, f64) {
+        let [thinnest, densest] = self.densities;
+        let place = self.place(if rho > thinnest { rho.min(densest) } else { thinnest });
+        (place, (u - place.coldest[0]).max(0.0))
+    }
+
     /// Least and largest density, kg/m^3.
     pub fn densities(&self) -> [f64; 2] {
         self.densities
     }
+}
+
+/// The point of a row before an energy above its coldest, J/kg, and the share of the way to the next; within the row.
+fn before(row: &Row, x: f64) -> (usize, f64) {
+    let energy = |k: usize| row.energy[k] - row.energy[0];
+    let k = row.energy.partition_point(|u| u - row.energy[0] <= x).clamp(1, row.energy.len() - 1) - 1;
+    (k, ((x - energy(k)) / (energy(k + 1) - energy(k))).clamp(0.0, 1.0))
 }
 
 /// Leaves out points that are no hotter than those before them.
@@ -205,7 +238,7 @@ fn thin_out(row: &mut Row) {
             }
         })
         .collect();
-    for numbers in [&mut row.energy, &mut row.pressure, &mut row.temperature] {
+    for numbers in [&mut row.energy, &mut row.pressure, &mut row.temperature, &mut row.phase] {
         let mut kept = kept.iter();
         numbers.retain(|_| *kept.next().unwrap_or(&true));
     }

@@ -31,6 +31,9 @@ pub struct TabulatedTable {
     pub file: String,
     /// How it is written.
     pub format: Format,
+    /// Path of the file with the phases of the same states: M-ANEOS's extended table (`NEW-SESAME-EXT.TXT`).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub phases: Option<String>,
     /// Temperature of matter without load, K. Where the table has none, matter without load has the energy 0.
     #[serde(default = "room")]
     pub temperature: Number,
@@ -167,6 +170,16 @@ impl Tabulated {
         (state.p, bounded_sound(state.sound2(rho), self.rest2))
     }
 
+    /// Temperature, K; none where the table has none.
+    pub fn temperature(&self, rho: f64, u: f64) -> Option<f64> {
+        self.grid.temperature(rho, self.u_0 + u)
+    }
+
+    /// Number of the phase; none where nobody says it.
+    pub fn phase(&self, rho: f64, u: f64) -> Option<f64> {
+        self.grid.phase(rho, self.u_0 + u)
+    }
+
     /// Pressure and its derivatives.
     #[inline]
     pub fn slopes(&self, rho: f64, u: f64) -> Slopes {
@@ -194,7 +207,7 @@ mod tests {
         let row = |density: f64| {
             let energy: Vec<f64> = (0..=4 * n).map(|k| 1e4 * libm::expm1(10.0 * k as f64 / (4 * n) as f64)).collect();
             let pressure = energy.iter().map(|u| basalt().pressure(density, *u).0).collect();
-            Row { density, energy, pressure, temperature: Vec::new() }
+            Row { density, energy, pressure, temperature: Vec::new(), phase: Vec::new() }
         };
         let grid = Grid::new(densities.map(row).collect()).unwrap();
         let text = "file = \"basalt.txt\"\nformat = \"columns\"\nE_iv = 4.72e6\nE_cv = 1.82e7";
@@ -280,6 +293,7 @@ mod tests {
             energy: energy.into(),
             pressure: energy.into(),
             temperature: Vec::new(),
+            phase: Vec::new(),
         };
         let refused = |rows: Vec<Row>| Grid::new(rows).unwrap_err();
         assert!(refused(vec![row(1.0, &[0.0, 1.0])]).contains("1 densities"));

@@ -39,7 +39,11 @@ const FARTHEST: f64 = 1e10;
 
 impl BodyReader<'_> {
     pub fn read(&self, raw: &BodyTable, material: (usize, &MaterialTable)) -> Result<Body> {
-        let shape = raw.shape.validate(self.document, &self.path, self.dimension)?;
+        let Some(shape) = &raw.shape else {
+            let what = "key `shape` is missing";
+            return Err(self.error("shape", what).allowed("a shape, or `from` with the name of a file of particles"));
+        };
+        let shape = shape.validate(self.document, &self.path, self.dimension)?;
         let distention = self.distention(raw, material.1)?;
         let (density, internal_energy) = self.thermal_state(raw, material.1)?;
         let rotation = self.rotation(raw)?;
@@ -69,6 +73,7 @@ impl BodyReader<'_> {
             joints,
             start: raw.start,
             cut: None,
+            given: None,
         };
         let body = Body { motion: self.motion(raw, body.velocity)?, ..body };
         let mass = body.mass();
@@ -87,7 +92,7 @@ impl BodyReader<'_> {
         Ok(body)
     }
 
-    fn error(&self, key: &str, what: impl Into<String>) -> Error {
+    pub(super) fn error(&self, key: &str, what: impl Into<String>) -> Error {
         self.document.error(&format!("{}.{key}", self.path), what)
     }
 
@@ -99,7 +104,7 @@ impl BodyReader<'_> {
         Err(self.error(key, format!("{name} is {value}")).allowed(POSITIVE))
     }
 
-    fn spin(&self, raw: &BodyTable) -> Result<[f64; 3]> {
+    pub(super) fn spin(&self, raw: &BodyTable) -> Result<[f64; 3]> {
         match (self.dimension, raw.spin.as_ref().map(|spin| &spin.0[..])) {
             (_, None) => Ok([0.0; 3]),
             (2, Some([about_z])) => Ok([0.0, 0.0, about_z.0]),
@@ -109,7 +114,7 @@ impl BodyReader<'_> {
         }
     }
 
-    fn vector<const L: i8, const M: i8, const T: i8>(
+    pub(super) fn vector<const L: i8, const M: i8, const T: i8>(
         &self,
         key: &str,
         given: &Option<Components<Quantity<L, M, T>>>,
@@ -121,7 +126,7 @@ impl BodyReader<'_> {
         }
     }
 
-    fn motion(&self, raw: &BodyTable, velocity: [f64; 3]) -> Result<PrescribedMotion> {
+    pub(super) fn motion(&self, raw: &BodyTable, velocity: [f64; 3]) -> Result<PrescribedMotion> {
         let path = format!("{}.motion", self.path);
         match &raw.motion {
             None => Ok(PrescribedMotion::Free),
@@ -171,7 +176,7 @@ impl BodyReader<'_> {
         joints.validate(self.document, &path, shape, self.dimension).map(Some)
     }
 
-    fn damage(&self, raw: &BodyTable, material: &MaterialTable) -> Result<f64> {
+    pub(super) fn damage(&self, raw: &BodyTable, material: &MaterialTable) -> Result<f64> {
         match raw.damage {
             None => Ok(0.0),
             Some(damage) if !(DAMAGE[0]..=DAMAGE[1]).contains(&damage.0) => {
@@ -185,7 +190,7 @@ impl BodyReader<'_> {
         }
     }
 
-    fn distention(&self, raw: &BodyTable, material: &MaterialTable) -> Result<f64> {
+    pub(super) fn distention(&self, raw: &BodyTable, material: &MaterialTable) -> Result<f64> {
         match raw.distention {
             None => Ok(1.0),
             Some(_) if material.is_dust() => {
@@ -270,7 +275,7 @@ impl BodyReader<'_> {
         Ok((rho, energy))
     }
 
-    fn rotation(&self, raw: &BodyTable) -> Result<Rotation> {
+    pub(super) fn rotation(&self, raw: &BodyTable) -> Result<Rotation> {
         let given = raw.orientation.as_ref();
         given.map_or(Ok(IDENTITY), |given| given.rotation(self.document, &self.path, self.dimension))
     }

@@ -6,6 +6,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use super::blast::BlastTable;
 use super::blocks::{JointsTable, RubbleTable};
 use super::flow::FlowTable;
+use super::from::FromTable;
 use super::orientation::OrientationTable;
 use super::rigid::RigidTable;
 use super::shape::ShapeTable;
@@ -27,8 +28,10 @@ pub const DAMAGE: Range = [0.0, 1.0];
 pub struct BodyTable {
     /// Any name but a table's, without `.` and `=`; `--set NAME.KEY=VALUE` means the body.
     pub name: String,
-    /// Shape around the body's centre.
-    pub shape: ShapeTable,
+    /// Shape around the body's centre; this or `from`.
+    pub shape: Option<ShapeTable>,
+    /// Particles of a file instead of a shape that is filled.
+    pub from: Option<FromTable>,
     /// A material of the library, or of a table `[material.NAME]` with an `eos` or a `base`.
     pub material: String,
     /// Number of particles; this or `spacing`. The mass is that of the exact shape in any case.
@@ -160,7 +163,7 @@ impl BodyTable {
     /// body's, where it is known.
     pub fn complete(&self, dimension: usize, is_projectile: bool, material: Option<&MaterialTable>) -> Self {
         let mut complete = self.clone();
-        if is_projectile && self.particles.is_none() {
+        if is_projectile && self.particles.is_none() && self.from.is_none() {
             let spacing = *complete.spacing.get_or_insert(Spacing::OfTarget);
             if spacing == Spacing::OfTarget {
                 complete.least_particles.get_or_insert(COARSEST_PROJECTILE);
@@ -210,6 +213,9 @@ impl BodyTable {
             let given = self.filling_factor.map(|phi| Density::new(phi.0 * solid));
             let density = self.density.get_or_insert(given.unwrap_or(Density::new(law.reference_density()))).0;
             self.filling_factor.get_or_insert(Number::new(density / solid));
+        }
+        if self.from.is_some() {
+            return;
         }
         // A porous body is as heavy as its matrix.
         self.density = self.density.or(material.reference_density().map(|density| Density::new(density / distention)));

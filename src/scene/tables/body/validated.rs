@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::blast::Blast;
 use super::filling::{COUNTED, is_filled};
 use super::flow::Flow;
+use super::given::Given;
 use super::rigid::Rigid;
 use super::table::InitialState;
 use crate::material::BodyConstants;
@@ -52,6 +53,8 @@ pub struct Body {
     pub start: InitialState,
     /// What of the shape it is, where an impact refines its target.
     pub cut: Option<Cut>,
+    /// What of the particles of a file it is, where it comes from one.
+    pub given: Option<Given>,
 }
 
 /// Random shifts of particles from the sites of their lattice.
@@ -73,27 +76,38 @@ impl Disorder {
 impl Body {
     /// Exact volume of its matter, m^3 (in 2D m^2, per metre of depth).
     pub fn volume(&self) -> f64 {
+        if let Some(given) = &self.given {
+            return self.mass_of(given) / self.density;
+        }
         self.cut.map_or_else(|| self.whole_volume(), |cut| cut.volume)
     }
 
     /// Exact volume of the matter of the body that it is or is a part of, m^3 (in 2D m^2).
     fn whole_volume(&self) -> f64 {
+        if let Some(given) = &self.given {
+            return given.whole_volume;
+        }
         self.rubble.as_ref().map_or_else(|| self.shape.volume(self.dimension), |rubble| rubble.volume)
     }
 
     /// Exact mass of its matter, kg (per metre of depth in 2D).
     pub fn mass(&self) -> f64 {
-        self.density * self.volume()
+        self.given.as_ref().map_or_else(|| self.density * self.volume(), |given| self.mass_of(given))
+    }
+
+    fn mass_of(&self, given: &Given) -> f64 {
+        given.particles as f64 * given.particle_mass
     }
 
     /// Exact mass of the body that it is or is a part of, kg (per metre of depth in 2D).
     pub fn whole_mass(&self) -> f64 {
-        self.density * self.whole_volume()
+        self.given.as_ref().map_or_else(|| self.density * self.whole_volume(), |given| given.whole_mass)
     }
 
     /// Number of the scene's body that this one, with this number, is or is a part of.
     pub fn whole(&self, number: usize) -> usize {
-        self.cut.map_or(number, |cut| cut.body)
+        let of_file = self.given.as_ref().map(|given| given.body);
+        self.cut.map(|cut| cut.body).or(of_file).unwrap_or(number)
     }
 
     pub fn contains(&self, point: [f64; 3]) -> bool {
@@ -127,9 +141,15 @@ impl Body {
             && self.cut.is_none_or(|cut| cut.holds(local))
     }
 
-    /// Lattice sites are numbered below this; those inside the shape are its particles.
+    /// Lattice sites are numbered below this; those inside the shape are its particles. Particles of a file have none.
     pub fn lattice_sites(&self) -> u64 {
-        self.lattice.sites()
+        if self.given.is_some() { 0 } else { self.lattice.sites() }
+    }
+
+    /// The site of the lattice that a particle has started from, m; none where it comes from a file.
+    pub fn site(&self, site: u64) -> Option<[f64; 3]> {
+        let place = |local: [f64; 3]| std::array::from_fn(|k| self.centre[k] + local[k]);
+        self.given.is_none().then(|| place(self.lattice.position(site)))
     }
 
     /// The sites of `range` that lie inside, with their positions: the same bits whoever asks.
@@ -140,8 +160,11 @@ impl Body {
         })
     }
 
-    /// Where the particle of a site starts, before its own weight compresses the body, m.
+    /// Where the particle of a site starts, before its own weight compresses the body, m; of particles of a file, the centre.
     pub fn start_of(&self, site: u64) -> [f64; 3] {
+        if self.given.is_some() {
+            return self.centre;
+        }
         self.placed(site, self.lattice.position(site))
     }
 
@@ -159,17 +182,18 @@ impl Body {
     /// Whether it has no particles at all; those of many sites are not counted.
     pub fn has_no_site(&self) -> bool {
         let sites = self.lattice_sites();
-        sites <= COUNTED && self.count(0..sites) == 0
+        self.given.is_none() && sites <= COUNTED && self.count(0..sites) == 0
     }
 
     /// Particles as expected from the volume; the true number differs at the surface.
     pub fn expected_particles(&self) -> f64 {
-        self.volume() / self.lattice.cell_volume()
+        self.given.as_ref().map_or_else(|| self.volume() / self.lattice.cell_volume(), |given| given.particles as f64)
     }
 
     /// What all particles share, once their number is known; `eta` is h over (m / rho)^(1/d).
     pub fn constants(&self, particles: u64, eta: f64) -> BodyConstants {
-        let particle_mass = self.mass() / particles as f64;
+        let particle_mass =
+            self.given.as_ref().map_or_else(|| self.mass() / particles as f64, |given| given.particle_mass);
         let smoothing_length = eta * root(particle_mass / self.density, self.dimension);
         BodyConstants { particle_mass, smoothing_length, particles, density: self.density, distention: self.distention }
     }

@@ -128,10 +128,11 @@ impl RefineTable {
 /// Refuses what has no exact parts.
 fn check_target(document: &Document, target: &Body, number: usize) -> Result<()> {
     let refused = match target.shape {
+        _ if target.given.is_some() => Some(("from", "particles of a file are not made finer", "a body with a shape")),
         _ if target.rubble.is_some() => Some(("rubble", "the blocks of a pile are not cut", "a body without `rubble`")),
         _ if target.blast.is_some() => Some(("blast", "a blast heats one body", "a body without `blast`")),
         BodyShape::Heap { .. } => Some(("shape", "a heap is not refined", "sphere, box, cylinder, half_sphere")),
-        BodyShape::Ellipsoid { .. } | BodyShape::Mesh(_) | BodyShape::Compound(_) => {
+        BodyShape::Ellipsoid { .. } | BodyShape::Mesh(_) | BodyShape::Compound(_) | BodyShape::Voxels(_) => {
             Some(("shape", "a shape like this is not refined", "sphere, box, cylinder, half_sphere"))
         }
         BodyShape::HalfSphere { inner, .. } if inner > 0.0 => Some((
