@@ -85,6 +85,9 @@ fn state(summary: &Json, history: &Json, goes_on: bool) -> String {
         let at = last("time").map_or(String::new(), |time| format!(", at t = {time:.4e} s"));
         return format!("Running{at}. This page is read again every {REFRESH} s.");
     }
+    if let (Some(impacts), Some(steps)) = (summary["threshold"]["impacts"].as_array(), summary["steps"].as_u64()) {
+        return format!("{} impacts, {steps} steps.", impacts.len());
+    }
     match (summary["steps"].as_u64(), summary["time"].as_f64()) {
         (Some(steps), Some(time)) => format!("{steps} steps, to t = {time:.4e} s."),
         _ => "It has not come to its end.".into(),
