@@ -141,9 +141,10 @@ impl Taker<'_> {
     fn matter(&self, columns: &mut Columns, taken: &Taken) {
         let energy = columns.registry.find::<f64>(INTERNAL_ENERGY);
         let damage = columns.registry.find::<f64>(DAMAGE);
-        for (i, &(_, part)) in (taken.first..).zip(&taken.which) {
+        for (i, &(row, part)) in (taken.first..).zip(&taken.which) {
             let body = &self.scene.bodies[part];
-            columns.set(self.core.density.value, i, body.density);
+            let density = if self.source.unload { self.unloaded(taken, row, part) } else { body.density };
+            columns.set(self.core.density.value, i, density);
             if let Some(damage) = damage.filter(|_| self.scene.materials[body.material].has_fracture()) {
                 columns.set(damage, i, body.damage);
             }
@@ -159,14 +160,13 @@ impl Taker<'_> {
         let entry = columns.registry.entries.iter().find(|entry| entry.name == name).expect("a column of the scene");
         match entry.shape {
             ColumnShape::Scalar if own.width == 1 => {
+                // Set without load before.
+                if name == DENSITY && self.source.unload {
+                    return false;
+                }
                 let column: Column<f64> = found(columns, name);
-                for (i, &(row, part)) in (taken.first..).zip(&taken.which) {
-                    let value = if name == DENSITY && self.source.unload {
-                        self.unloaded(taken, row, part)
-                    } else {
-                        own.number(row)
-                    };
-                    columns.set(column, i, value);
+                for (i, &(row, _)) in (taken.first..).zip(&taken.which) {
+                    columns.set(column, i, own.number(row));
                 }
                 true
             }

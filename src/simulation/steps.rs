@@ -1,5 +1,7 @@
 //! The loop over steps: when to write, signals, and whether the outcome has settled.
 
+use std::time::Instant;
+
 use super::collapse;
 use super::due::{self, NextStep};
 use super::run::{Ended, Options, Run, RunReport};
@@ -16,6 +18,7 @@ use crate::process::log::Progress;
 use crate::process::{resources, signals};
 use crate::scene::{Scene, Until};
 use crate::step::Failure;
+use crate::step::phases::Phase;
 use crate::step::time_step::NamedLimit;
 
 /// What ranks may request after a step; the largest request counts.
@@ -69,7 +72,9 @@ impl<'a, const D: usize> Run<'a, D> {
                 let saved = self.write_checkpoint();
                 // The first error says more than its consequences.
                 agree(self.comm, self.failed.take().map_or(Ok(()), Err)).and(saved)?;
+                let start = Instant::now();
                 self.report_to(stepped.signal < STOP);
+                self.stepper.phases.add(Phase::Output, start);
             }
             if stepped.signal >= STOP {
                 self.write_products()?;

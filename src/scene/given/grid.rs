@@ -32,7 +32,7 @@ impl Grid {
         for _ in 0..TRIALS {
             let [least, most] = IN_A_CELL;
             let held = count / found.len() as f64;
-            if (least..most).contains(&held) || (held >= most && found.len() == 1 && count < most) {
+            if (least..most).contains(&held) {
                 break;
             }
             edge *= if held < least { 1.21 } else { 0.87 };

@@ -61,7 +61,7 @@ pub fn figures(outcome: &Outcome, turn: Option<[f64; 3]>, scene: &Scene) -> Vec<
 }
 
 /// The share of the projectile's angular momentum about the centre of the target that the remnant has got, along it (Sevecek et al.
-/// 2019, A&A 629, A122, Sect. 3.2); none where the impact is head-on.
+/// 2019, A&A 629, A122); none where the impact is head-on.
 fn efficiency(form: &Form, turn: [f64; 3], scene: &Scene) -> Option<(String, f64)> {
     let impact = scene.impact.as_ref()?;
     let (target, projectile) = (&scene.bodies[impact.target], &scene.bodies[impact.projectile]);
