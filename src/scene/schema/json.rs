@@ -24,6 +24,10 @@ fn clean(schema: &mut Value) {
         Value::Array(items) => items.iter_mut().for_each(clean),
         Value::Object(object) => {
             object.values_mut().for_each(clean);
+            if let Some(Value::Array(alternatives)) = object.get_mut("oneOf") {
+                let others: Vec<Value> = alternatives.iter().filter_map(under_alias).collect();
+                alternatives.extend(others);
+            }
             without_null(object);
             if object.get("format").is_some_and(|format| format.as_str().is_some_and(is_width)) {
                 object.remove("format");
@@ -33,10 +37,6 @@ fn clean(schema: &mut Value) {
             }
             if let Some(Value::String(text)) = object.get_mut("description") {
                 *text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-            }
-            if let Some(Value::Array(alternatives)) = object.get_mut("oneOf") {
-                let others: Vec<Value> = alternatives.iter().filter_map(under_alias).collect();
-                alternatives.extend(others);
             }
         }
         _ => {}
@@ -108,6 +108,18 @@ mod tests {
         /// Round.
         #[schemars(extend("x-alias" = "disc"))]
         Ball(Option<Length>),
+    }
+
+    #[derive(JsonSchema)]
+    #[expect(dead_code, reason = "only described")]
+    struct Formless {
+        form: Option<Form>,
+    }
+
+    #[test]
+    fn an_alternative_has_its_alias_once_where_it_may_be_left_out() {
+        let schema = of::<Formless>("Perhaps a form");
+        assert_eq!(schema["properties"]["form"]["oneOf"].as_array().unwrap().len(), 2, "{schema:#}");
     }
 
     #[test]
