@@ -6,7 +6,7 @@ use std::path::Path;
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{Launch, PROGRAM, SMALL_SEARCH, assert_as_measured, assert_known_files};
+use crate::common::{Launch, SMALL_SEARCH, assert_as_measured, assert_known_files, program};
 
 const CAMPAIGN: &str = r#"
 title = "A small campaign"
@@ -32,7 +32,7 @@ fn folder(campaign: &str) -> TempDir {
 
 fn launch(ranks: usize, dir: &Path, args: &[&str]) -> Launch {
     let go = r#"cd "$HERE" && exec "$0" campaign.toml --out run "$@""#;
-    Launch::new(ranks, "sh", &[&["-c", go, PROGRAM], args].concat()).env("HERE", dir)
+    Launch::new(ranks, "sh", &[&["-c", go, program()], args].concat()).env("HERE", dir)
 }
 
 /// Rows of the thresholds without their costs.

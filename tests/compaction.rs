@@ -9,7 +9,7 @@ use sph_mpi::exact::compaction::PorousMedium;
 use sph_mpi::material::MaterialTable;
 use sph_mpi::material::porosity::law::Porous;
 
-use crate::common::{Launch, PROGRAM, reference, summary};
+use crate::common::{Launch, program, reference, summary};
 
 /// Matter of figures 1 to 3, with a law of compaction.
 fn porous_medium(alpha_0: f64, c: f64, law: &str) -> PorousMedium {
@@ -153,7 +153,7 @@ fn figure_4() {
 
 /// A compaction wave in the plane over some 7 mm, closed along y, and its errors.
 fn wave(alpha_0: f64, speed: f64, until: f64, spacing: f64) -> Value {
-    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("inputs/compaction_wave.toml");
+    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../inputs/compaction_wave.toml");
     let dir = tempfile::tempdir().expect("a temporary directory");
     let out: PathBuf = dir.path().join("out");
     let (height, thick) = (8.0 * spacing * 0.75f64.sqrt(), 10.0 * spacing);
@@ -176,7 +176,7 @@ fn wave(alpha_0: f64, speed: f64, until: f64, spacing: f64) -> Value {
     let plain = |path: &Path| path.to_str().expect("a plain path").to_string();
     let mut args = vec![plain(&scene), "--quiet".into(), "--out".into(), plain(&out)];
     settings.into_iter().for_each(|setting| args.extend(["--set".into(), setting]));
-    Launch::alone(PROGRAM, &args).run().expect_code(0);
+    Launch::alone(program(), &args).run().expect_code(0);
     summary(&out)
 }
 

@@ -398,7 +398,7 @@ output = { picture = false, history_every = 1 }
 #[test]
 fn scenes_of_the_inputs_are_read() {
     let read = |name: &str, change: &[&str]| {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("inputs/{name}.toml"));
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../inputs/{name}.toml"));
         let change: Vec<String> = change.iter().map(|text| text.to_string()).collect();
         scene::read(&path, &change).unwrap_or_else(|e| panic!("{e}"))
     };
@@ -435,7 +435,7 @@ fn scenes_of_the_inputs_are_read() {
         &["material.pumice.porosity.p_alpha=false", "material.pumice.porosity.rho_alpha.two_slope=true"],
     );
     for name in ["deep_impact", "compaction_models"] {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("inputs/{name}.toml"));
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../inputs/{name}.toml"));
         let scene = scene::read(&path, &[]).unwrap_or_else(|e| panic!("{e}"));
         assert!(scene.hits_ground() && scene.outcome.is_some());
         // 370 kg, as in the paper.
@@ -448,7 +448,7 @@ fn scenes_of_the_inputs_are_read() {
 /// it is 0.1 %.
 #[test]
 fn pumice_gives_back_its_crush_curve() {
-    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/inputs/crush_curve.toml");
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../inputs/crush_curve.toml");
     let dir = tempfile::tempdir().expect("a temporary directory");
     let out = dir.path().join("run");
     let fast = [

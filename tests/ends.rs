@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use crate::common::{GAS_BALLS, IMPACT, Launch, Output, PROGRAM, summary, write_scene};
+use crate::common::{GAS_BALLS, IMPACT, Launch, Output, program, summary, write_scene};
 use crate::hard_viscosity::COARSE;
 
 /// Exit codes: failed on its way, stopped on request.
@@ -29,7 +29,7 @@ fn shell(line: &str, ranks: usize, log: &str) -> (tempfile::TempDir, Output) {
     let dir = tempfile::tempdir().expect("a temporary directory");
     let scene = write_scene(dir.path(), GAS_BALLS);
     let mpirun = if ranks > 1 { format!("mpirun -n {ranks} --bind-to none ") } else { String::new() };
-    let run = format!("{mpirun}{PROGRAM} {}", scene.display());
+    let run = format!("{mpirun}{} {}", program(), scene.display());
     let line = format!("cd {}; run() {{ {run} \"$@\"; echo $? > code; }}; {line}", dir.path().display());
     let output = Launch::alone("sh", &["-c", &line]).env("RUST_LOG", log).limit(60).run();
     (dir, output)

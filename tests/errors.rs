@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::common::{IMPACT, Launch, PROGRAM, summary, write_scene};
+use crate::common::{IMPACT, Launch, program, summary, write_scene};
 
 /// Exit code for bad input.
 const BAD_INPUT: i32 = 2;
@@ -19,7 +19,7 @@ pub fn assert_refused(scene: &Path, args: &[&str], says: &[&str]) {
     // Each rank leaves its own exit code: of a job, mpirun only reports the first.
     let keep_code = r#""$0" "$@"; echo $? > "$CODES/$OMPI_COMM_WORLD_RANK""#;
     let out = dir.path().join("out");
-    let mut command = vec!["-c", keep_code, PROGRAM, scene.to_str().expect("a plain path")];
+    let mut command = vec!["-c", keep_code, program(), scene.to_str().expect("a plain path")];
     if !args.contains(&"--out") {
         command.extend(["--out", out.to_str().expect("a plain path")]);
     }
@@ -177,7 +177,7 @@ fn panic_on_one_rank_ends_the_job() {
 #[test]
 fn panic_without_mpirun_ends_the_program() {
     for fault in ["panic:0:5", "pool:0:5"] {
-        let stderr = assert_fault_ends_the_job(fault, |args| Launch::alone(PROGRAM, args));
+        let stderr = assert_fault_ends_the_job(fault, |args| Launch::alone(program(), args));
         assert!(stderr.contains("a panic was requested"), "{stderr}");
     }
 }

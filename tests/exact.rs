@@ -5,7 +5,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::common::{Launch, PROGRAM, assert_as_measured, summary};
+use crate::common::{Launch, assert_as_measured, program, summary};
 use serde_json::Value;
 
 /// Exit codes: bad input, and a run that failed on its way.
@@ -13,7 +13,7 @@ const BAD_INPUT: i32 = 2;
 const FAILED: i32 = 1;
 
 fn scene(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("inputs/exact").join(name).with_extension("toml")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../inputs/exact").join(name).with_extension("toml")
 }
 
 fn arguments<S: AsRef<str>>(name: &str, settings: &[S], out: &Path) -> Vec<String> {
@@ -29,7 +29,7 @@ fn errors_on<S: AsRef<str>>(ranks: usize, name: &str, settings: &[S]) -> Value {
     let dir = tempfile::tempdir().expect("a temporary directory");
     let out = dir.path().join("out");
     let args = arguments(name, settings, &out);
-    let job = if ranks == 1 { Launch::alone(PROGRAM, &args) } else { Launch::scene(ranks, &args) };
+    let job = if ranks == 1 { Launch::alone(program(), &args) } else { Launch::scene(ranks, &args) };
     job.run().expect_code(0);
     summary(&out)["errors"].clone()
 }
@@ -315,7 +315,7 @@ fn unsuitable_scenes_are_refused() {
     let refused = |name: &str, settings: &[&str], code: i32, says: &str| {
         let dir = tempfile::tempdir().expect("a temporary directory");
         let args = arguments(name, settings, &dir.path().join("out"));
-        let output = Launch::alone(PROGRAM, &args).limit(30).run().expect_code(code);
+        let output = Launch::alone(program(), &args).limit(30).run().expect_code(code);
         assert!(output.stderr.starts_with("error: "), "{}", output.stderr);
         assert!(output.stderr.contains(says), "{:?} does not say {says:?}", output.stderr);
     };

@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 
 use tempfile::TempDir;
 
-use crate::common::{IMPACT, Launch, Output, PROGRAM, summary, write_scene};
+use crate::common::{IMPACT, Launch, Output, program, summary, write_scene};
 
 /// Exit codes: failed on its way, bad input, stopped on request.
 const FAILED: i32 = 1;
@@ -295,7 +295,7 @@ fn threads_that_one_rank_cannot_start() {
     // More stack for a thread than there are addresses.
     let no_stack = r#"[ "$OMPI_COMM_WORLD_RANK" = 1 ] && export RUST_MIN_STACK=140737488355328; exec "$0" "$@""#;
     let [scene, out] = [&scene, &out].map(|path| path.to_str().expect("a plain path"));
-    let args = ["-c", no_stack, PROGRAM, scene, "--out", out, "--threads", "2"];
+    let args = ["-c", no_stack, program(), scene, "--out", out, "--threads", "2"];
     let output = Launch::new(2, "sh", &args).limit(30).run().expect_code(BAD_INPUT);
     assert_one_error(&output, &["cannot start 2 threads"]);
 }

@@ -19,7 +19,7 @@ use sph_mpi::particles::chunk::{CHUNK, Chunks};
 use sph_mpi::particles::{Column, Columns, ParticleId, Rates, Registry};
 use sph_mpi::scene::Scene;
 
-use crate::common::{Launch, PROGRAM, summary};
+use crate::common::{Launch, program, summary};
 
 /// Where the large samples leave what they measure.
 fn large() -> Option<PathBuf> {
@@ -355,7 +355,7 @@ fn strength_of_elements_of_one_size() {
 
 /// Largest mean tension along x in the middle of a bar of `inputs/tensile_bar.toml`, Pa, at a strain rate, 1/s.
 fn bar(rate: f64, cfl: f64, until: f64) -> f64 {
-    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("inputs/tensile_bar.toml");
+    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../inputs/tensile_bar.toml");
     let folder = tempfile::tempdir().expect("a temporary directory");
     let run = folder.path().join("run");
     // Poisson's ratio of basalt; the grips begin 17 mm from the middle.
@@ -369,7 +369,7 @@ fn bar(rate: f64, cfl: f64, until: f64) -> f64 {
     ];
     let mut args = vec![scene.to_str().expect("a plain path"), "--out", run.to_str().expect("a plain path"), "--quiet"];
     settings.iter().for_each(|setting| args.extend(["--set", setting]));
-    Launch::alone(PROGRAM, &args).run().expect_code(0);
+    Launch::alone(program(), &args).run().expect_code(0);
     let snapshots = fs::read_dir(&run).expect("a run").flatten().map(|entry| entry.path());
     snapshots
         .filter(|path| path.extension().is_some_and(|e| e == "vtkhdf"))
@@ -411,13 +411,13 @@ fn a_bar_is_as_strong_as_its_elements() {
 fn a_laboratory_impact_leaves_a_large_fragment() {
     let dir = tempfile::tempdir().expect("a temporary directory");
     let out = dir.path().join("out");
-    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("inputs/nakamura_fujiwara.toml");
+    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../inputs/nakamura_fujiwara.toml");
     let plain = |path: &Path| path.to_str().expect("a plain path").to_string();
     let mut args = vec![plain(&scene), "--quiet".into(), "--out".into(), plain(&out)];
     for setting in ["target.particles=3000", "run.until=40 us", "output.picture=false", "output.snapshots=0"] {
         args.extend(["--set".into(), setting.into()]);
     }
-    Launch::alone(PROGRAM, &args).run().expect_code(0);
+    Launch::alone(program(), &args).run().expect_code(0);
     let found = summary(&out);
     let number = |key: &str| found[key].as_f64().expect("a number");
     let outcome = |key: &str| found["outcome"][key].as_f64().expect("a number");

@@ -9,7 +9,7 @@ use sph_mpi::outcome::Particle;
 use sph_mpi::outcome::form::form;
 use sph_mpi::scene;
 
-use crate::common::{Launch, ranks, summary, write_scene};
+use crate::common::{ByHand, Launch, ranks, summary, write_scene};
 
 /// An oblique impact that breaks a ball with pores and lets it turn; both bodies of one rock.
 const FIRST: &str = r#"
@@ -210,6 +210,38 @@ fn particles_of_another_program_become_a_body() {
     assert!(start[column("angular_momentum_z")] > 0.0);
     // Half of it broken, half a quarter; iron does not break, and stays as damaged as the file says.
     assert!((start[column("damaged_mass")] / (0.625 * mass) - 1.0).abs() < 1e-9);
+}
+
+/// Compressed by a tenth, as the table says, it bursts; without load each particle has the density of its material.
+#[test]
+fn what_is_unloaded_starts_without_pressure() {
+    ranks(1, "handover::what_is_unloaded_starts_without_pressure", |comm| {
+        let dir = tempfile::tempdir().expect("a directory");
+        let file = dir.path().join("ball.csv");
+        let dense = |line: (usize, &str)| match line.0 {
+            0 => format!("{}\n", line.1),
+            1 => format!("{},density\n", line.1),
+            _ => format!("{},{}\n", line.1, if line.1.contains("iron") { 8580.0 } else { 2970.0 }),
+        };
+        fs::write(&file, table().lines().enumerate().map(dense).collect::<String>()).expect("a file");
+        let path = write_scene(dir.path(), BALL);
+        let [loaded, unloaded] = ["false", "true"].map(|unload| {
+            let change = format!("ball.from.unload={unload}");
+            let scene = scene::read(&path, &[change]).unwrap_or_else(|e| panic!("{e}"));
+            let run = ByHand::<3>::of(scene, comm, |_, _, _| {});
+            let reference = |i| {
+                let material = &run.scene.materials[run.scene.bodies[run.body(i)].material];
+                material.reference_density().expect("a solid")
+            };
+            let range = |values: &mut dyn Iterator<Item = f64>| {
+                values.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| [least.min(x), most.max(x)])
+            };
+            let density = range(&mut run.particles().map(|i| run.numbers("density")[i] / reference(i)));
+            (density, range(&mut run.numbers("pressure").iter().copied()))
+        });
+        assert!(loaded.0[0] > 1.09 && loaded.1[0] > 2e9, "{loaded:?}");
+        assert_eq!(unloaded, ([1.0; 2], [0.0; 2]));
+    });
 }
 
 #[test]

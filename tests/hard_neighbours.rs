@@ -452,8 +452,15 @@ fn fast_matter_alone_has_wide_skins() {
 
 /// Directed pairs inside the larger support, by looking at all.
 fn pairs(hand: &ByHand<3>) -> u64 {
-    let h = |i: usize| hand.stepper.settings.view.constants[hand.body(i)].smoothing_length;
-    let sites: Vec<(Vec3, f64)> = hand.particles().map(|i| (hand.position(i), h(i))).collect();
-    let near = |i: usize| sites.iter().filter(|b| (b.0 - sites[i].0).norm() < 2.0 * b.1.max(sites[i].1)).count();
-    (0..sites.len()).map(|i| near(i) as u64 - 1).sum()
+    let support = |i: usize| 2.0 * hand.stepper.settings.view.constants[hand.body(i)].smoothing_length;
+    let sites: Vec<([f64; 3], f64)> = hand.particles().map(|i| (hand.position(i).into(), support(i))).collect();
+    let mut found = 0;
+    for (a, own) in &sites {
+        for (b, other) in &sites {
+            let [x, y, z] = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+            let reach = if other > own { other } else { own };
+            found += u64::from(x * x + y * y + z * z < reach * reach);
+        }
+    }
+    found - sites.len() as u64
 }

@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::common::{Launch, Output, PROGRAM, write_scene};
+use crate::common::{Launch, Output, program, write_scene};
 use crate::errors::assert_refused;
 
 /// Runs the program on a scene in `dir`, into `dir/run`, by itself.
@@ -12,7 +12,7 @@ fn alone(dir: &Path, scene: &str, more: &[&str]) -> Launch {
     let scene = write_scene(dir, scene);
     let out = dir.join("run");
     let args = [scene.to_str().expect("a plain path"), "--out", out.to_str().expect("a plain path")];
-    Launch::alone(PROGRAM, &[&args[..], more].concat()).limit(60)
+    Launch::alone(program(), &[&args[..], more].concat()).limit(60)
 }
 
 /// The one line of an error.
@@ -134,7 +134,7 @@ fn a_scene_may_come_through_a_pipe() {
         "cd $0; $1 <(cat scene.toml) --out here && test -f here/summary.json",
         "cd $0; cat scene.toml | mpirun -n 2 $1 /dev/stdin --out two && test -f two/summary.json",
     ] {
-        let args = ["-c", command, dir.path().to_str().expect("a plain path"), PROGRAM];
+        let args = ["-c", command, dir.path().to_str().expect("a plain path"), program()];
         Launch::alone("bash", &args).limit(60).run().expect_code(0);
     }
 }

@@ -8,13 +8,13 @@ use serde_json::Value;
 use sph_mpi::scene::Scene;
 use sph_mpi::study::keys;
 
-use crate::common::{Launch, PROGRAM};
+use crate::common::{Launch, program};
 
 /// Set, the stored files are written anew.
 const WRITE: &str = "SPH_MPI_WRITE_KEYS";
 
 fn inputs() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("inputs")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../inputs")
 }
 
 /// Compares a stored file with what the code says, or writes it.
@@ -68,7 +68,7 @@ fn every_input_names_its_schema() {
 }
 
 fn page(args: &[&str]) -> String {
-    Launch::alone(PROGRAM, args).limit(60).run().expect_code(0).stdout
+    Launch::alone(program(), args).limit(60).run().expect_code(0).stdout
 }
 
 #[test]
@@ -87,7 +87,7 @@ fn pages_tell_type_unit_default_and_what_is_allowed() {
         let long = text.lines().find(|line| line.chars().count() > 100);
         assert!(long.is_none() && !text.is_empty(), "{table}: {long:?}");
     }
-    let wrong = Launch::alone(PROGRAM, &["--keys", "bdy"]).limit(60).run().expect_code(2);
+    let wrong = Launch::alone(program(), &["--keys", "bdy"]).limit(60).run().expect_code(2);
     assert!(wrong.stderr.contains("unknown table `bdy`, did you mean `body`?"), "{}", wrong.stderr);
 }
 

@@ -1,12 +1,10 @@
 //! All tests that need the whole program or several ranks, by topic, in one binary: it links once.
 
 mod allocations;
-mod architecture;
 mod balance;
 mod bookkeeping;
 mod boundaries;
 mod campaigns;
-mod circles;
 mod common;
 mod compaction;
 mod craters;

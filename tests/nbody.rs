@@ -62,7 +62,7 @@ fn files(ranks: usize, changes: &[&str]) -> (Vec<u8>, serde_json::Value) {
     Launch::in_directory(ranks, dir.path(), IMPACT, &more).run().expect_code(0);
     let run = dir.path().join("run");
     if let Some(python) = std::env::var_os("SPH_MPI_PYTHON") {
-        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/nbody.py");
+        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("nbody.py");
         let output = Command::new(python).arg(script).arg(&run).output().expect("Python starts");
         let (said, error) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
         assert!(output.status.success(), "{error}");

@@ -168,7 +168,7 @@ fn snapshots_hold_the_same_particles_on_any_number_of_ranks() {
         println!("skipped: SPH_MPI_PYTHON names no Python with h5py and vtk");
         return;
     };
-    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/read_snapshot.py");
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/read_snapshot.py");
     for kind in ["3d_2", "2d_2", "small_3"] {
         let file = directory.path().join(format!("{kind}.vtkhdf"));
         let output = Command::new(&python).arg(script).arg(file).output().unwrap();

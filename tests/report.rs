@@ -41,7 +41,7 @@ fn look(report: &Path) {
         println!("the report is not opened: there is no Chromium, or SPH_MPI_PYTHON names no Python with selenium");
         return;
     };
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/report.py");
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("report.py");
     let picture = report.with_extension("png");
     let output = Command::new(python).arg(script).arg(report).arg(&picture).output().expect("Python starts");
     let (said, error) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
@@ -67,12 +67,12 @@ fn a_run_is_looked_at_in_a_browser() {
 
     // Of the same files the same report, by whomever it is made.
     fs::remove_file(&path).expect("a report");
-    let made = Launch::alone(crate::common::PROGRAM, &["report", run.to_str().unwrap()]).run().expect_code(0);
+    let made = Launch::alone(crate::common::program(), &["report", run.to_str().unwrap()]).run().expect_code(0);
     assert!(made.stdout.trim().ends_with("report.html"), "{}", made.stdout);
     assert!(fs::read_to_string(&path).expect("a report") == report);
     // Of a run that has not come to its end.
     fs::remove_file(run.join("summary.json")).expect("a summary");
-    Launch::alone(crate::common::PROGRAM, &["report", run.to_str().unwrap()]).run().expect_code(0);
+    Launch::alone(crate::common::program(), &["report", run.to_str().unwrap()]).run().expect_code(0);
     assert!(fs::read_to_string(&path).expect("a report").contains("It has not come to its end."));
 }
 

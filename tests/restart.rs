@@ -7,13 +7,13 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use crate::common::{IMPACT, Launch, Output, PROGRAM, assert_known_files, summary, write_scene};
+use crate::common::{IMPACT, Launch, Output, assert_known_files, program, summary, write_scene};
 
 const BAD_INPUT: i32 = 2;
 
 /// sph-mpi on one rank in the folder `here`, while another job may be at work: exit code and what it says.
 fn meanwhile(here: &Path, args: &[&str]) -> (Option<i32>, String) {
-    let mut command = Command::new(PROGRAM);
+    let mut command = Command::new(program());
     command.args(args).args(["--threads", "1"]).current_dir(here);
     command.env("OMPI_ALLOW_RUN_AS_ROOT", "1").env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
     let output = command.output().expect("the program");
@@ -162,7 +162,7 @@ fn points_of_a_study_are_locked_one_by_one() {
         run.until = \"1000 s\"\n[study.resolution]\ntarget.particles = [300, 1400]\n";
     fs::write(dir.path().join("study.toml"), study).unwrap();
     let start = r#"cd "$HERE" && exec "$0" study.toml --out run --task 2"#;
-    let mut job = Launch::new(1, "sh", &["-c", start, PROGRAM]).env("HERE", dir.path()).start();
+    let mut job = Launch::new(1, "sh", &["-c", start, program()]).env("HERE", dir.path()).start();
     job.wait_until("its point is at work", || dir.path().join("run/point_002/history.csv").exists());
     let args = |more: &[&'static str]| [&["study.toml", "--out", "run"], more].concat();
     assert_refused(dir.path(), &args(&["--task", "2"]), &["point_002: a run is at work here"]);

@@ -109,7 +109,7 @@ fn assert_same(name: &str, dir: &Path, found: &Value, (reference_dir, expected):
         println!("{name}: columns are not compared: SPH_MPI_PYTHON names no Python with h5py");
         return;
     };
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/columns.py");
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("columns.py");
     let checkpoint = |dir: &Path| dir.join("run/checkpoint.h5");
     let mut compare = Command::new(python);
     let output =

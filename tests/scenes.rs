@@ -210,7 +210,7 @@ fn put(tree: &mut Table, path: &[String], value: Option<Value>) {
 
 /// The scenes of `inputs/`, as they are written and as they are understood, with every key that there is for them.
 fn inputs() -> Vec<String> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("inputs");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../inputs");
     let of = |folder: &Path| std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     let files: Vec<_> = of(&folder).flat_map(|path| of(&path).chain([path]).collect::<Vec<_>>()).collect();
     let mut scenes: Vec<_> = files.into_iter().filter(|path| path.extension().is_some_and(|e| e == "toml")).collect();

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::common::{Launch, summary};
 
 fn lump() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("inputs/shapes/lump.obj")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../inputs/shapes/lump.obj")
 }
 
 /// A spinning lump beside two balls stuck together, a piece cut out of one of them, that drift into it.

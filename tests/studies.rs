@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{Launch, PROGRAM, assert_known_files, summary};
+use crate::common::{Launch, assert_known_files, program, summary};
 use crate::errors::assert_refused;
 
 const SCENE: &str = include_str!("../inputs/exact/sod.toml");
@@ -48,7 +48,7 @@ fn folder(study: &str) -> TempDir {
 /// sph-mpi with `args`, in the folder.
 fn launch(ranks: usize, dir: &Path, args: &[&str]) -> Launch {
     let go = r#"cd "$HERE" && exec "$0" "$@""#;
-    Launch::new(ranks, "sh", &[&["-c", go, PROGRAM], args].concat()).env("HERE", dir)
+    Launch::new(ranks, "sh", &[&["-c", go, program()], args].concat()).env("HERE", dir)
 }
 
 fn read(path: PathBuf) -> Value {
@@ -302,7 +302,7 @@ fn a_study_takes_the_shape_model_of_its_scene() {
         "[study]\nscene = \"tube.toml\"\nerror = \"energy_drift\"\nagainst = \"finest\"\n\
          [study.resolution]\nlump.spacing = [\"30 m\", \"20 m\"]\n",
     );
-    let lump = Path::new(env!("CARGO_MANIFEST_DIR")).join("inputs/shapes/lump.obj");
+    let lump = Path::new(env!("CARGO_MANIFEST_DIR")).join("../inputs/shapes/lump.obj");
     fs::copy(lump, dir.path().join("lump.obj")).expect("a shape model");
     let scene = "[[body]]\nname = \"lump\"\nshape = { mesh = { file = \"lump.obj\", size = \"200 m\" } }\n\
         material = \"basalt\"\nspacing = \"30 m\"\n[run]\nuntil = \"1 ms\"\n";

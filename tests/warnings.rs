@@ -8,7 +8,7 @@ use serde_json::Value;
 use sph_mpi::math::Vec3;
 use tempfile::TempDir;
 
-use crate::common::{ByHand, IMPACT, Launch, PROGRAM, SMALL_SEARCH, ranks, summary};
+use crate::common::{ByHand, IMPACT, Launch, SMALL_SEARCH, program, ranks, summary};
 
 /// A moonlet is hit beside its larger primary.
 const THREE: &str = r#"
@@ -132,7 +132,7 @@ fn a_study_says_what_its_points_warn_of() {
                  [study.vary]\nprojectile.radius = [\"40 m\", \"400 m\", \"50 m\"]\n";
     fs::write(dir.path().join("study.toml"), study).expect("a study");
     let go = r#"cd "$HERE" && exec "$0" study.toml --out run "$@""#;
-    let launch = |more: &[&str]| Launch::new(2, "sh", &[&["-c", go, PROGRAM], more].concat()).env("HERE", dir.path());
+    let launch = |more: &[&str]| Launch::new(2, "sh", &[&["-c", go, program()], more].concat()).env("HERE", dir.path());
     let check = launch(&["--check"]).run().expect_code(0).stdout;
     let told = "projectile: 2 of 3 points, first point 1: `projectile` is 0.";
     assert!(check.contains(told), "{check}");

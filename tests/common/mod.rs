@@ -1,10 +1,10 @@
-//! Runs programs on several ranks: one job at a time, with a time limit, and with nothing left behind.
+//! Runs programs on several ranks: no more at once than there are cores, with a time limit, and with nothing left behind.
 
 use std::fs::{self, File};
 use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Condvar, LazyLock, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use sph_mpi::domain::comm::Comm;
@@ -16,20 +16,56 @@ use sph_mpi::step::StepSettings;
 use sph_mpi::step::Stepper;
 use tempfile::TempDir;
 
-/// The program under test.
-pub const PROGRAM: &str = env!("CARGO_BIN_EXE_sph-mpi");
+/// The program under test, which cargo builds beside the tests (for `structure`, a test of the package that has it).
+pub fn program() -> &'static str {
+    static PATH: LazyLock<String> = LazyLock::new(|| {
+        let tests = std::env::current_exe().expect("the path of this executable");
+        let path = tests.parent().and_then(Path::parent).expect("a folder of cargo's").join("sph-mpi");
+        assert!(path.exists(), "{} is not built: `cargo build --release`, or `scripts/test`", path.display());
+        path.into_os_string().into_string().expect("a plain path")
+    });
+    &PATH
+}
 
 /// Where the ranks of a test leave their answers; set in them only.
 const ANSWERS: &str = "SPH_MPI_TEST_ANSWERS";
 /// How many ranks there should be.
 const RANKS: &str = "SPH_MPI_TEST_RANKS";
 
-/// Two jobs at once on a small machine would run into each other's time limits. Cargo runs one test binary after another.
-static ONE_JOB: Mutex<()> = Mutex::new(());
+/// Processes that run at once: more than there are cores would run into their time limits, so that a job on several ranks has the
+/// machine to itself where it is small. Cargo runs one test binary after another.
+static CORES: LazyLock<(Mutex<usize>, Condvar)> = LazyLock::new(|| {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    (Mutex::new(cores), Condvar::new())
+});
+
+/// Cores that a job has as long as this lives.
+struct Taken(usize);
+
+impl Taken {
+    /// Waits until there are as many as `ranks`, or all if these are fewer.
+    fn cores(ranks: usize) -> Self {
+        let (free, changed) = &*CORES;
+        let wanted = ranks.clamp(1, std::thread::available_parallelism().map_or(1, usize::from));
+        let free = free.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut free = changed.wait_while(free, |free| *free < wanted).unwrap_or_else(PoisonError::into_inner);
+        *free -= wanted;
+        Self(wanted)
+    }
+}
+
+impl Drop for Taken {
+    fn drop(&mut self) {
+        let (free, changed) = &*CORES;
+        *free.lock().unwrap_or_else(PoisonError::into_inner) += self.0;
+        changed.notify_all();
+    }
+}
 
 /// A command on several ranks, before it starts.
 pub struct Launch {
     command: Command,
+    ranks: usize,
     limit: Duration,
 }
 
@@ -38,28 +74,33 @@ impl Launch {
     pub fn new<A: AsRef<std::ffi::OsStr>>(ranks: usize, program: impl AsRef<Path>, args: &[A]) -> Self {
         let mut command = Command::new("mpirun");
         command.args(["-n", &ranks.to_string(), "--bind-to", "none"]).arg(program.as_ref());
-        Self::of(command, args)
+        Self::of(command, ranks, args)
     }
 
     /// `program` with `args`, by itself.
     pub fn alone<A: AsRef<std::ffi::OsStr>>(program: impl AsRef<Path>, args: &[A]) -> Self {
-        Self::of(Command::new(program.as_ref()), args)
+        Self::of(Command::new(program.as_ref()), 1, args)
     }
 
-    fn of<A: AsRef<std::ffi::OsStr>>(mut command: Command, args: &[A]) -> Self {
+    fn of<A: AsRef<std::ffi::OsStr>>(mut command: Command, ranks: usize, args: &[A]) -> Self {
         command.args(args);
         command.env("OMPI_ALLOW_RUN_AS_ROOT", "1").env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
         command.env("OMPI_MCA_rmaps_base_oversubscribe", "1");
+        // Ranks of one machine: to load what speaks to networks takes longer than many a test.
+        command
+            .env("OMPI_MCA_pml", "ob1")
+            .env("OMPI_MCA_btl", "vader,self")
+            .env("OMPI_MCA_ess_singleton_isolated", "1");
         // One thread, as long as a test asks for nothing else: `--threads` overrules it.
         command.env("RAYON_NUM_THREADS", "1");
         // A group of its own: a Ctrl-C at the terminal reaches the tests, which then end the job.
         command.process_group(0).stdin(Stdio::null());
-        Self { command, limit: Duration::from_secs(120) }
+        Self { command, ranks, limit: Duration::from_secs(120) }
     }
 
     /// sph-mpi with `args`.
     pub fn scene<A: AsRef<std::ffi::OsStr>>(ranks: usize, args: &[A]) -> Self {
-        Self::new(ranks, PROGRAM, args)
+        Self::new(ranks, program(), args)
     }
 
     /// sph-mpi with `more` arguments on `scene`, which is written into `dir`; the run goes into `dir/run`.
@@ -81,14 +122,14 @@ impl Launch {
         self
     }
 
-    /// Starts the job as soon as no other one runs.
+    /// Starts the job as soon as there are cores for it.
     pub fn start(mut self) -> Job {
-        let alone = ONE_JOB.lock().unwrap_or_else(PoisonError::into_inner);
+        let taken = Taken::cores(self.ranks);
         let dir = tempfile::tempdir().expect("a temporary directory");
         let file = |name| File::create(dir.path().join(name)).expect("a file for the output");
         self.command.stdout(file("stdout")).stderr(file("stderr"));
         let child = self.command.spawn().expect("mpirun is there");
-        Job { child, dir, started: Instant::now(), limit: self.limit, _alone: alone }
+        Job { child, dir, started: Instant::now(), limit: self.limit, _taken: taken }
     }
 
     /// Runs the job to its end.
@@ -104,7 +145,7 @@ pub struct Job {
     dir: TempDir,
     started: Instant,
     limit: Duration,
-    _alone: MutexGuard<'static, ()>,
+    _taken: Taken,
 }
 
 impl Job {
@@ -441,7 +482,11 @@ impl<'c, const D: usize> ByHand<'c, D> {
         prepare: impl FnOnce(&mut Columns, &mut StepSettings, &Scene),
     ) -> Self {
         let changes: Vec<String> = changes.iter().map(|change| change.to_string()).collect();
-        let scene = Scene::parse("scene.toml", text, &changes).unwrap_or_else(|e| panic!("{e}\n{text}"));
+        Self::of(Scene::parse("scene.toml", text, &changes).unwrap_or_else(|e| panic!("{e}\n{text}")), comm, prepare)
+    }
+
+    /// A scene that has been read.
+    pub fn of(scene: Scene, comm: &'c Comm, prepare: impl FnOnce(&mut Columns, &mut StepSettings, &Scene)) -> Self {
         let counts = setup::count_particles(&scene, comm).expect("particles");
         let plan: Plan = setup::plan(&scene, counts).expect("effects that have what they need");
         let (mut columns, mut settings) = plan.populate(&scene, comm).expect("a scene that can start");
@@ -528,7 +573,7 @@ impl<'c, const D: usize> ByHand<'c, D> {
 
 /// Rows of a reference file.
 pub fn reference(name: &str) -> Vec<Vec<f64>> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference").join(name);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reference").join(name);
     let text = std::fs::read_to_string(path).expect("a reference curve");
     let numbers = |line: &str| line.split(',').map(|cell| cell.parse().expect("a number")).collect();
     text.lines().skip(1).map(numbers).collect()

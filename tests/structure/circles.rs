@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-use crate::architecture::{code_of, rust_files};
+use crate::{code_of, rust_files};
 
 /// The sources by their names below `src/`, without comments, strings and unit tests.
 struct Sources(BTreeMap<String, String>);
