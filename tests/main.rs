@@ -53,5 +53,6 @@ mod scenes;
 mod shapes;
 mod studies;
 mod tables;
+mod tour;
 mod viscosity;
 mod warnings;

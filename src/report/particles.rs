@@ -27,6 +27,8 @@ const SEED: u64 = 20;
 const BEYOND: f64 = 0.002;
 /// Ranges of values beyond which a scale is logarithmic.
 const DECADES: f64 = 1e3;
+/// Where half of the values are so many times smaller than the highest, a scale is logarithmic, too, over [`DECADES`] below it.
+const MOSTLY_SMALL: f64 = 1e2;
 /// Colours of the map.
 const COLOURS: usize = 256;
 /// Columns that say little in colours, and are shown last.
@@ -237,7 +239,10 @@ impl Scale {
         let (low, high) = (at(BEYOND)?, at(1.0 - BEYOND)?);
         // Whole numbers and parts of one have their own ends.
         let (low, high) = if all[0] >= 0.0 && all[all.len() - 1] <= 1.0 { (0.0, 1.0) } else { (low, high) };
-        let logarithmic = low > 0.0 && high / low > DECADES;
+        let whole = all.iter().all(|x| x.fract() == 0.0);
+        let mostly_small = all[0] >= 0.0 && high > 1.0 && !whole && at(0.5)? < high / MOSTLY_SMALL;
+        let low = if mostly_small { low.max(high / DECADES) } else { low };
+        let logarithmic = mostly_small || low > 0.0 && high / low > DECADES;
         Some(Self { low, high: if high > low { high } else { low + 1.0 }, logarithmic })
     }
 
@@ -294,6 +299,10 @@ mod tests {
     fn scales_follow_from_the_values() {
         let wide = Scale::of(&[read(&[1.0, 1e3, 1e6])], "x").unwrap();
         assert!(wide.logarithmic && (wide.part(1e3) - 0.5).abs() < 1e-12 && wide.part(0.0) == 0.0);
+        let speeds = Scale::of(&[read(&[0.0, 0.5, 1.0, 2.0, 3.0, 4e3])], "x").unwrap();
+        assert!(speeds.logarithmic && (speeds.low, speeds.high) == (4.0, 4e3) && speeds.part(0.0) == 0.0);
+        let bodies = Scale::of(&[read(&[0.0, 0.0, 0.0, 200.0])], "x").unwrap();
+        assert!(!bodies.logarithmic && bodies.low == 0.0);
         let damage = Scale::of(&[read(&[0.2, 0.4])], "x").unwrap();
         assert_eq!((damage.low, damage.high), (0.0, 1.0));
         assert!(Scale::of(&[read(&[])], "x").is_none() && Scale::of(&[read(&[7.0])], "x").is_some());
