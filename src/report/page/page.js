@@ -229,10 +229,11 @@
   cloud.frustumCulled = false;
   space.add(cloud);
   const camera = new lib.PerspectiveCamera(35, 1, 0.01, 1000);
+  // Faces of ground, heaps and gravity point along z. The controls turn about what is up when they are made.
+  camera.up.set(...(flat ? [0, 1, 0] : [0, 0, 1]));
   const controls = new lib.OrbitControls(camera, renderer.domElement);
   const lookAgain = () => {
-    camera.up.set(0, 1, 0);
-    camera.position.set(...(flat ? [0, 0, 2.1] : [0.9, 0.7, 1.9]));
+    camera.position.set(...(flat ? [0, 0, 2.1] : [0.7, -1.4, 1.4]));
     controls.target.set(0, 0, 0);
     controls.update();
   };
