@@ -98,7 +98,8 @@ fn last_line(run: &Path) -> Vec<f64> {
     cells.map(|cell| cell.parse().unwrap_or(f64::NAN)).collect()
 }
 
-/// A run that ends at 3 s and is handed over goes on as it would have done: what differs is that its first step is a new one. The same bits follow from snapshots of any ranks, on any ranks.
+/// A run that ends at 3 s and is handed over goes on as it would have done: what differs is that its first step is a new
+/// one. The same bits follow from snapshots of any ranks, on any ranks.
 #[test]
 fn what_a_run_has_left_goes_on() {
     let dir = tempfile::tempdir().expect("a directory");
